@@ -12,6 +12,7 @@ from places import ROOT
 
 LARGEST = 2_000_000
 SQUARE = ROOT / "examples" / "first" / "square.bt"
+AVOID = ROOT / "examples" / "avoid.bt"
 
 
 @pytest.fixture(scope="module")
@@ -50,6 +51,26 @@ def test_a_run_is_looked_back_at_without_a_network(page, file):
     page.get_by_role("button", name="See 2.14 s").click()
     expect(page.locator(".timeline-time")).to_have_text("2.14 s")
     expect(page.locator("[aria-current=step]")).to_contain_text("robot.turn(90)")
+
+
+def test_each_robot_of_a_run_is_chosen_by_its_name(browser, tmp_path):
+    path = tmp_path / "two.html"
+    command = ["run", f"{SQUARE}@sim-ebo", f"{AVOID}@sim-ev3", "--world", "obstacles"]
+    command += ["--for", "10", "--page", path, "--name", "Ada"]
+    subprocess.run([sys.executable, "-m", "learnblock", *map(str, command)], check=True, timeout=60)
+    context = browser.new_context(offline=True)
+    page = context.new_page()
+    page.goto(path.as_uri())
+    expect(page).to_have_title("square, avoid · Ada – LearnBlock")
+    expect(page.get_by_text("by Ada")).to_be_visible()
+    blocks = page.get_by_role("group", name="Blocks", exact=True)
+    expect(blocks).not_to_contain_text("obstacle")
+    page.get_by_role("slider").press("End")
+    page.get_by_role("button", name="avoid", exact=True).click()
+    expect(blocks).to_contain_text("obstacle")
+    expect(page.locator(".timeline-time")).to_have_text("10.00 s")
+    expect(page.locator("header")).to_contain_text("EV3")
+    context.close()
 
 
 @pytest.mark.parametrize("size", [(1366, 768), (820, 1180), (390, 844)], ids=str)

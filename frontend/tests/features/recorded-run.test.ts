@@ -2,7 +2,8 @@ import { expect, test } from "vitest";
 
 import type { Moment, Recording } from "../../src/features/standalone/content";
 import { RecordedRun } from "../../src/features/standalone/recorded";
-import type { LookBack, Past, WhyAnswer, WhyQuestion } from "../../src/protocol/messages";
+import { RecordedWorld } from "../../src/features/standalone/world";
+import type { LookBack, Past, Scene, WhyAnswer, WhyQuestion } from "../../src/protocol/messages";
 
 function moment(time: number, event: number, block: string, x: string, drawn = 0): Moment {
   const variables = { kind: "Variables", local: {}, shared: { x } } as const;
@@ -27,7 +28,14 @@ const recording: Recording = {
   questions: { kind: "Questions", questions: [], block: "" },
   answers: [now("now", 0), now("now", 2), now("end", 3)],
 };
-const run = new RecordedRun(recording);
+const robot = (name: string, x: number) => ({ name, x, y: 0, heading: 0 });
+const scene = { kind: "Scene", name: "empty", robots: [["ann"], ["ben"]] } as unknown as Scene;
+const ben = { name: "ben", cameras: ["FRONT"], start: null };
+const world = new RecordedWorld(scene, [
+  [0, [robot("ann", 0), robot("ben", 1)]],
+  [1, [robot("ann", 2), robot("ben", 3)]],
+]);
+const run = new RecordedRun(recording, (time) => world.robotsAt(time, ben));
 const look = (wanted: Omit<LookBack, "kind">): Past => run.past({ kind: "LookBack", ...wanted });
 
 test("a time shows the last moment until then, and what had been drawn", () => {
@@ -53,4 +61,9 @@ test("what the robot does is answered for the nearest moment, and nothing is mad
   const ask = (question: WhyQuestion) => run.answer({ kind: "AskWhy", question });
   expect(ask({ ask: "now", subject: "", time: 1.8 })?.asked.question.time).toBe(2);
   expect(ask({ ask: "bump", subject: "", time: 1 })).toBeNull();
+});
+
+test("each robot sees itself first, in the world and where the robots were", () => {
+  expect(look({ time: 1.5 }).telemetry?.robots).toEqual([robot("ben", 3), robot("ann", 2)]);
+  expect(world.sceneOf(ben)).toMatchObject({ name: "empty", cameras: ["FRONT"], robots: [["ben"], ["ann"]] });
 });

@@ -60,6 +60,7 @@ _ROBOT = click.option("--robot", metavar="NAME", help="The robot: see learnblock
 @click.option("--why", type=_LOG, help="Write a log for questions: see learnblock why.")
 @click.option("--picture", type=_NEW_FILE, help="Draw the world and the path as .png or .svg.")
 @click.option("--page", type=_NEW_FILE, help="Write a page to take home, which shows the run.")
+@click.option("--name", "pupil", metavar="NAME", help="Say on that page who made it.")
 @click.option("--keys", type=EXISTING_FILE, help="Press the keys in this file: see docs/games.md.")
 @click.option("--anyway", is_flag=True, help="Run even if the robot lacks a device it needs.")
 @click.option("--allow-network", is_flag=True, help="Let the program use the network.")
@@ -102,18 +103,19 @@ def _run(
         raise usage_error("report-variants-alone")
     if choices["why"] and variants:
         raise usage_error("report-why-alone")
-    if choices["page"] and (variants or count > 1):
+    if choices["page"] and variants:
         raise usage_error("report-page-alone")
+    if choices["pupil"] and not choices["page"]:
+        raise usage_error("report-name-without-page")
     if count > 1:
         from learnblock.cli.team import run_team  # noqa: PLC0415 - most runs have one robot
 
-        del choices["page"]
         return run_team(programs, robot=robot, **choices)
     choices["robot"] = programs[0].robot or robot
     if variants:
         from learnblock.cli.variants import run_variants  # noqa: PLC0415 - most runs have none
 
-        del choices["why"], choices["page"]
+        del choices["why"], choices["page"], choices["pupil"]
         return run_variants(programs[0].file, variants=variants, **choices)
     return run_and_report(programs[0].file, standby=standby, **choices)
 

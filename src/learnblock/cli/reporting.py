@@ -125,6 +125,7 @@ def run_and_report(
     why: Path | None,
     as_json: bool,
     page: Path | None = None,
+    pupil: str | None = None,
     standby: Standby | None = None,
     **choices: Any,
 ) -> int:
@@ -137,6 +138,7 @@ def run_and_report(
         why: the file for its log.
         as_json: print the report as JSON.
         page: the file for a page that shows the run.
+        pupil: who made it, if that page is to say so.
         standby: the process for the program, if it has been started before.
         choices: the options of the run.
     """
@@ -147,9 +149,11 @@ def run_and_report(
         log = _log(program.job.program, why) if why or page else None
         code = _run_prepared(program, trace, picture, log, standby, as_json=as_json)
         if page and log:
-            from learnblock.cli.take_home import write_page  # noqa: PLC0415 - slow to load
+            from learnblock.cli.take_home import robot_run, write_page  # noqa: PLC0415 - slow to load
 
-            write_page(page, program.source, program.job.robot, log)
+            source = program.source
+            run = robot_run(source, program.job.robot, log)
+            write_page(page, [run], source.path.stem, pupil)
         return code
 
 

@@ -1,5 +1,6 @@
 """Writes the page that shows a run without LearnBlock."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from learnblock import language
@@ -10,19 +11,29 @@ from learnblock.project.document.document import Document
 from learnblock.robots import RobotEntry
 from learnblock.running import Source
 from learnblock.runtime.log.keeping import RunLog
-from learnblock.server.runs.take_home import Titles, run_page
+from learnblock.server.runs.take_home import RobotRun, Titles, run_page
 from learnblock.storage.files import save
 
 
-def write_page(path: Path, source: Source, robot: RobotEntry, log: RunLog) -> None:
+def robot_run(source: Source, robot: RobotEntry, log: RunLog) -> RobotRun:
+    """The run of a robot, for a page."""
+    return RobotRun(log, _document(source, robot), robot.name)
+
+
+def write_page(path: Path, robots: Sequence[RobotRun], program: str, pupil: str | None) -> None:
     """Write the page of a run that has ended.
+
+    Args:
+        path: its file.
+        robots: the robots of the run.
+        program: what the page is called.
+        pupil: who made it, if the page is to say so.
 
     Raises:
         LearnBlockError: the run was not in a world that can be shown, or is too large.
         OSError: the file can't be written.
     """
-    titles = Titles(source.path.stem, robot.name, words())
-    page = run_page(log, _document(source, robot), titles)
+    page = run_page(robots, Titles(program, words(), (pupil or "").strip()))
     save(path, page.encode())
     print_row("report-label-page", str(path))
 

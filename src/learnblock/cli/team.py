@@ -83,6 +83,8 @@ def run_team(
     trace: Path | None,
     picture: Path | None,
     why: Path | None,
+    page: Path | None,
+    pupil: str | None,
     keys: Path | None,
     anyway: bool,
     allow_network: bool,
@@ -99,10 +101,7 @@ def run_team(
         ]
         if _refuse(parts, anyway=anyway, as_json=as_json):
             return ExitCode.MISTAKES
-        listens = not (keys or as_json) and any(listens_to_terminal(part.program) for part in parts)
-        if pace is None and (listens or not all(part.entry.load().lockstep for part in parts)):
-            # A world at full speed would be over before a real robot or a person has moved.
-            pace = "real"
+        pace = pace or _needed_pace(parts, is_silent=bool(keys or as_json))
         worlds = (part.file.world for part in parts if part.entry.load().lockstep)
         options = Options(world or next(filter(None, worlds), None), seed, pace, variant=variant)
         options = replace(options, seconds=time_limit(pace, seconds), anyway=anyway)
@@ -110,7 +109,7 @@ def run_team(
         file = stack.enter_context(opened_trace(trace))
         keyboards = stack.enter_context(_keyboards(jobs, keys, quiet=as_json))
         screen = _Screen(keyboards, quiet=as_json)
-        logs = _logs(jobs, why)
+        logs = _logs(jobs, why, needed=page is not None)
         session = TeamRun(jobs, trace=file, watch=screen.watcher, logs=logs)
         report = _run(session, screen)
         _print(report, session, screen, as_json=as_json)
@@ -118,7 +117,18 @@ def run_team(
             say_if_not_whole(log)
         if picture:
             _draw(session, picture)
+        if page:
+            _write_page(page, parts, logs, pupil)
     return _exit_code(report)
+
+
+def _needed_pace(parts: Sequence[_Part], *, is_silent: bool) -> str | None:
+    """The pace that programs need, whether or not they can listen to the terminal; None for any."""
+    listens = not is_silent and any(listens_to_terminal(part.program) for part in parts)
+    if listens or not all(part.entry.load().lockstep for part in parts):
+        # A world at full speed would be over before a real robot or a person has moved.
+        return "real"
+    return None
 
 
 def _exit_code(report: TeamReport) -> int:
@@ -145,10 +155,10 @@ def _keyboards(
     return shared_keyboard({name: job.program for name, job in jobs.items()})
 
 
-def _logs(jobs: Mapping[str, Job], folder: Path | None) -> dict[str, RunLog]:
-    """The log of each robot in a folder; none without a folder."""
+def _logs(jobs: Mapping[str, Job], folder: Path | None, *, needed: bool) -> dict[str, RunLog]:
+    """The log of each robot, also in a folder if there is one; none if nothing needs them."""
     if folder is None:
-        return {}
+        return {name: RunLog(job.program) for name, job in jobs.items()} if needed else {}
     try:
         folder.mkdir(parents=True, exist_ok=True)
         return {name: RunLog(job.program, folder / f"{name}.why") for name, job in jobs.items()}
@@ -368,6 +378,21 @@ def _own(report: Report) -> dict[str, object]:
         for field in fields(report)
         if field.name not in whole
     }
+
+
+def _write_page(
+    path: Path, parts: Sequence[_Part], logs: Mapping[str, RunLog], pupil: str | None
+) -> None:
+    """Write the page of the run, which shows all robots."""
+    from learnblock.cli.take_home import robot_run, write_page  # noqa: PLC0415 - slow to load
+
+    owners = [part for part in parts for _ in range(_count(part))]
+    runs = [
+        robot_run(part.file.source, part.entry, log)
+        for part, log in zip(owners, logs.values(), strict=True)
+    ]
+    stems = dict.fromkeys(_stem(part.assignment) for part in parts)
+    write_page(path, runs, ", ".join(stems), pupil)
 
 
 def _draw(session: TeamRun, path: Path) -> None:

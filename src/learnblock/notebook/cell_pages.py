@@ -13,7 +13,7 @@ from learnblock.notebook.cell_program import CellProgram
 from learnblock.notebook.robot_log import RobotLog
 from learnblock.project.document.document import Document
 from learnblock.running import source_of
-from learnblock.server.runs.take_home import Titles, run_page
+from learnblock.server.runs.take_home import RobotRun, Titles, run_page
 
 #: The time of a robot, in s, after which its cells have no page: each page runs its world again.
 LONGEST = 180.0
@@ -72,7 +72,8 @@ def cell_page(log: RobotLog, cells: CellProgram, cell: int, began: float, now: f
         return ""
     words = system_language()
     title = translate(Phrase("notebook-cell", cell=str(cell)), words)
-    page = run_page(kept, _document(cells), Titles(title, log.robot, words), began)
+    robot = RobotRun(kept, _document(cells), log.robot)
+    page = run_page([robot], Titles(title, words), began)
     return framed(page, title)
 
 

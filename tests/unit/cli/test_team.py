@@ -11,6 +11,7 @@ import pytest
 from click.testing import CliRunner
 
 from learnblock.cli import main
+from page_files import content_of
 from terminals import shown_on_a_terminal
 
 pytestmark = pytest.mark.slow
@@ -55,6 +56,32 @@ def test_the_json_report_is_one_object_with_all_robots(write):
         )  # fmt: skip
         assert robot["distance"] > 40
     assert len(report["trace_sha256"]) == 64
+
+
+def test_the_page_shows_all_robots_and_the_name_that_is_wished(write, tmp_path):
+    one, two, page = write("one.bt", 'print("hello")'), write("two.bt"), tmp_path / "page.html"
+    result = call("run", f"{one}@sim-ebo:2", f"{two}@sim-ev3", "--page", page, "--name", " Ada ")
+    assert result.exit_code == 0
+    content = content_of(page.read_text("utf-8"))
+    assert (content["title"], content["pupil"]) == ("one, two", "Ada")
+    assert [(robot["name"], robot["robot"], robot["printed"]) for robot in content["robots"]] == [
+        ("one-1", "sim-ebo", "hello\n"),
+        ("one-2", "sim-ebo", "hello\n"),
+        ("two", "sim-ev3", ""),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (("--name", "Ada"), "With --name, add --page FILE"),
+        (("--page", "page.html", "--variants", "2"), "With --page, leave out --variants."),
+    ],
+)
+def test_a_page_that_cannot_be_is_refused(write, options, message):
+    result = call("run", write("one.bt"), *options)
+    assert result.exit_code == 2
+    assert message in result.stderr
 
 
 def test_the_exit_code_is_the_worst_of_all(write):

@@ -58,7 +58,7 @@ def test_the_square_is_shown_side_by_side_and_explained(executed):
     assert all(len(shown(outputs)) == 1 for outputs in (made, side, sides))
     # The run of the last cell that moved it, which tells the cells before it from that one.
     [page] = shown(sides, "text/html")
-    assert content_in_frame(page)["timeline"]["begin"] > 2
+    assert content_in_frame(page)["robots"][0]["timeline"]["begin"] > 2
     assert shown(side, "text/html") == []
     driven = re.search(r"([\d.]+) m in", shown(sides)[0])
     assert float(driven[1]) == pytest.approx(0.6, abs=0.03)

@@ -103,10 +103,11 @@ def test_the_last_cell_has_its_run_as_a_page_and_the_ones_before_it_their_pictur
     assert update["data"] == {kind: first[kind] for kind in ("text/plain", "image/svg+xml")}
     content = content_in_frame(second["text/html"])
     assert content["title"] == "Cell [4]"
-    begin = content["timeline"]["begin"]
+    [robot] = content["robots"]
+    begin = robot["timeline"]["begin"]
     assert begin == pytest.approx(shell.user_ns["began"], abs=0.01)
-    assert sum(moment["past"]["time"] >= begin for moment in content["moments"]) > 20
-    asked = [asked["question"].get("time") for asked in content["questions"]["questions"]]
+    assert sum(moment["past"]["time"] >= begin for moment in robot["moments"]) > 20
+    asked = [asked["question"].get("time") for asked in robot["questions"]["questions"]]
     assert asked
     assert all(time is None or time >= begin for time in asked)
 
@@ -115,7 +116,8 @@ def test_a_page_has_the_blocks_of_a_robot_that_an_earlier_cell_imported(run):
     run("%load_ext learnblock.notebook\nfrom learnblock.robots.sim_ebo import Robot")
     run("robot = Robot(world='empty')\nrobot.show()")
     [shown] = run("robot.drive_distance(100)")
-    lines = content_in_frame(shown["text/html"])["blocktext"].splitlines()
+    [robot] = content_in_frame(shown["text/html"])["robots"]
+    lines = robot["blocktext"].splitlines()
     assert lines == ['robot(world="empty")', "", "function.show()", "function.drive_distance(100)"]
 
 

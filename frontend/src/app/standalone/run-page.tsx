@@ -1,9 +1,10 @@
 /** A run to take home: its world, its program with the step that ran, its values, its output, and why. */
 
-import { type Signal, useSignal, useSignalEffect } from "@preact/signals";
+import { type ReadonlySignal, type Signal, useSignal, useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 
 import { DrawnBlocks } from "../../features/lessons/drawn-blocks";
+import type { RobotContent } from "../../features/standalone/content";
 import { Why } from "../../features/why/why";
 import { t, translated } from "../../i18n";
 import { usePage } from "../../model/page";
@@ -21,22 +22,28 @@ import "./run-page.css";
 
 interface Props {
   readonly title: string;
-  readonly robot: string;
-  readonly printed: string;
+  readonly pupil: string;
+  readonly robots: readonly RobotContent[];
+  /** The one of them that is shown. */
+  readonly shown: ReadonlySignal<RobotContent>;
+  choose(robot: RobotContent): void;
 }
 
-export function RunPage({ title, robot, printed }: Props) {
+export function RunPage({ title, pupil, robots, shown, choose }: Props) {
   const { context } = usePage();
+  const { robot } = shown.value;
   const scene = context.running.scene.value;
   const world = scene ? translated(`page-catalog-world-${scene.name}`, scene.world.title ?? scene.name) : "";
-  const shown = translated(`page-catalog-robot-${robot}`, scene?.robots[0]?.[1].title ?? robot);
+  const kind = translated(`page-catalog-robot-${robot}`, scene?.robots[0]?.[1].title ?? robot);
   return (
     <div class="take-home">
       <header>
         <h1>{title}</h1>
-        <p class="dim">{t("page-project-on-in", { robot: shown, world })}</p>
+        {pupil && <p>{t("page-take-home-by", { name: pupil })}</p>}
+        <p class="dim">{t("page-project-on-in", { robot: kind, world })}</p>
         <p class="dim take-home-made">{t("page-take-home-made")}</p>
       </header>
+      {robots.length > 1 && <Robots robots={robots} shown={shown.value} choose={choose} />}
       <main>
         <section class="take-home-world world-pane" aria-label={t("page-shell-world")}>
           <WorldPlace>
@@ -44,9 +51,28 @@ export function RunPage({ title, robot, printed }: Props) {
           </WorldPlace>
           <Play />
         </section>
-        <ProgramPane />
-        <Panels printed={printed} />
+        <ProgramPane robot={shown.value} />
+        <Panels robot={shown.value} />
       </main>
+    </div>
+  );
+}
+
+interface RobotsProps extends Pick<Props, "robots" | "choose"> {
+  readonly shown: RobotContent;
+}
+
+/** Chooses the robot whose program, values and answers are shown. */
+function Robots({ robots, shown, choose }: RobotsProps) {
+  const { tabs } = usePage();
+  return (
+    <div class="areas take-home-robots" role="group" aria-label={t("page-tabs-label")}>
+      {robots.map((robot) => (
+        <button key={robot.name} type="button" aria-pressed={robot === shown} onClick={() => choose(robot)}>
+          <span class="robot-color" style={{ background: tabs.colorOf(robot.name) }} />
+          {robot.name}
+        </button>
+      ))}
     </div>
   );
 }
@@ -55,9 +81,10 @@ export function RunPage({ title, robot, printed }: Props) {
 function Play() {
   const { context, lookingBack } = usePage();
   const plays = useSignal(false);
-  const { begin = 0, end = 0 } = context.running.timeline.value ?? {};
   useSignalEffect(() => {
     if (!plays.value) return undefined;
+    // Another robot may have ended later.
+    const { begin = 0, end = 0 } = context.running.timeline.value ?? {};
     const start = lookingBack.time >= end - 0.05 ? begin : lookingBack.time;
     const began = performance.now();
     let frame = 0;
@@ -103,7 +130,7 @@ function Areas<Name extends string>({ label, names, shown }: AreasProps<Name>) {
 }
 
 /** The program in one of its notations. */
-function ProgramPane() {
+function ProgramPane({ robot }: { robot: RobotContent }) {
   const { context, views } = usePage();
   const view = useSignal<View>("blocks");
   const revealed = useSignal<string | null>(null);
@@ -116,7 +143,7 @@ function ProgramPane() {
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it */}
       <div class="take-home-notation" role="group" aria-label={t(`page-shell-${view.value}`)} tabIndex={0}>
         {view.value === "blocks" ? (
-          <DrawnBlocks workspace={workspace} text={blocktext} marked={marked} />
+          <DrawnBlocks key={robot.name} workspace={workspace} text={blocktext} marked={marked} />
         ) : (
           <Texts notation={view.value} marked={marked} />
         )}
@@ -144,10 +171,11 @@ function lineOf({ program }: Parts["context"], block: string): string {
 
 const PANELS = ["why", "variables", "console"] as const;
 
-function Panels({ printed }: { printed: string }) {
+function Panels({ robot }: { robot: RobotContent }) {
   const { context, askingWhy } = usePage();
+  const { printed } = robot;
   const panel = useSignal<(typeof PANELS)[number]>("why");
-  useEffect(() => askingWhy.read(), []);
+  useEffect(() => askingWhy.read(), [robot]);
   useSignalEffect(() => {
     // A question that is asked in the world is answered here.
     if (askingWhy.answer.value) panel.value = "why";

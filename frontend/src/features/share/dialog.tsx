@@ -1,6 +1,6 @@
 /** Everything that takes the program elsewhere: a link, a file, a picture, a film, paper. */
 
-import { useSignal } from "@preact/signals";
+import { type Signal, useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 
 import { say, t } from "../../i18n";
@@ -16,10 +16,13 @@ import "./dialog.css";
 
 /** A longer link makes a code that cameras can't read from a screen. */
 const LONGEST_CODE = 1200;
+/** Characters of a pupil's name. */
+const LONGEST_NAME = 40;
 
 export function ShareDialog() {
   const { context, dialogs, project } = usePage();
   const answer = useSignal<ShareLink | null>(null);
+  const pupil = useSignal<string | null>(null);
   useEffect(() => {
     context.program.flush();
     void context.connection.ask({ kind: "MakeLink" }).then((reply) => {
@@ -32,6 +35,7 @@ export function ShareDialog() {
         <div class="share-run">
           <Snapshot />
           {answer.value && <Proof answer={answer.value} />}
+          <Maker pupil={pupil} />
           <p class="dim">{t("page-share-copies")}</p>
         </div>
         <div class="share-ways">
@@ -40,7 +44,7 @@ export function ShareDialog() {
           ) : (
             <p role="status">{answer.value?.problem && say(answer.value.problem)}</p>
           )}
-          <Keeping />
+          <Keeping pupil={pupil.value ?? ""} />
         </div>
       </div>
     </Dialog>
@@ -58,6 +62,37 @@ function Proof({ answer: { link, trace_sha256: hash = "", problem } }: { answer:
           {hash ? t("page-share-proved-help") : problem && say(problem)} {hash && <code>{fingerprint(hash)}</code>}
         </p>
       </div>
+    </div>
+  );
+}
+
+/** Who made it, if the page to take home is to say so; null otherwise. */
+function Maker({ pupil }: { pupil: Signal<string | null> }) {
+  return (
+    <div class="share-maker">
+      <label class="check">
+        <input
+          type="checkbox"
+          aria-describedby="share-maker-help"
+          checked={pupil.value !== null}
+          onChange={({ currentTarget }) => (pupil.value = currentTarget.checked ? "" : null)}
+        />
+        {t("page-share-maker")}
+      </label>
+      <p id="share-maker-help" class="dim">
+        {t("page-share-maker-help")}
+      </p>
+      {pupil.value !== null && (
+        <label class="field">
+          {t("page-share-maker-name")}
+          <input
+            value={pupil.value}
+            maxLength={LONGEST_NAME}
+            autocomplete="off"
+            onInput={({ currentTarget }) => (pupil.value = currentTarget.value)}
+          />
+        </label>
+      )}
     </div>
   );
 }
@@ -97,7 +132,7 @@ function Link({ answer: { link } }: { answer: ShareLink }) {
   );
 }
 
-function Keeping() {
+function Keeping({ pupil }: { pupil: string }) {
   const page = usePage();
   const { context, dialogs, project, share } = page;
   const run = (action: () => void) => () => {
@@ -116,7 +151,7 @@ function Keeping() {
         <Tile icon="print" word="print" onClick={run(() => void printProgram(page))} />
         <Tile icon="image" word="picture" onClick={run(() => void share.takePicture())} />
         <Tile icon="video" word="film" off={isRunning} onClick={run(() => share.film())} />
-        <Tile icon="home" word="run" off={isRunning} onClick={run(() => share.exportRun())} />
+        <Tile icon="home" word="run" off={isRunning} onClick={run(() => share.exportRun(pupil.trim()))} />
       </div>
     </>
   );

@@ -28,10 +28,10 @@ export class Share {
     );
   }
 
-  /** Save the last run as a page that needs no LearnBlock. */
-  exportRun(): void {
+  /** Save the last run as a page that needs no LearnBlock; it says who made it, unless that is empty. */
+  exportRun(pupil = ""): void {
     this.page.toasts.note(t("page-share-run-making"));
-    this.page.context.connection.send({ kind: "ExportRun", language: language.peek() });
+    this.page.context.connection.send({ kind: "ExportRun", language: language.peek(), pupil });
   }
 
   /** Save a picture of the world as it is now, with the name of the project. */

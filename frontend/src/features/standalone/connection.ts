@@ -5,7 +5,7 @@ import type { FromPage, ToPage } from "../../protocol/messages";
 import type { RecordedRun } from "./recorded";
 
 export class RecordedConnection extends Connection {
-  constructor(private readonly run: RecordedRun) {
+  constructor(private run: RecordedRun) {
     super(new URL("ws://localhost/"), "");
     this.state.value = "open";
   }
@@ -19,6 +19,11 @@ export class RecordedConnection extends Connection {
     // As from a server: after the one who asks has done so.
     if (answer) queueMicrotask(() => this.received(answer));
     return true;
+  }
+
+  /** Let another run answer from now on. */
+  follow(run: RecordedRun): void {
+    this.run = run;
   }
 
   /** Take a message as if a server had sent it. */

@@ -1,8 +1,19 @@
 /** What is written into a page in one file. */
 
 import type { ThemeName } from "../../model/preferences";
-import type { Drawing, Past, Place, Questions, Scene, Timeline, WhyAnswer, Workspace } from "../../protocol/messages";
+import type {
+  Drawing,
+  Past,
+  Place,
+  Questions,
+  Scene,
+  Telemetry,
+  Timeline,
+  WhyAnswer,
+  Workspace,
+} from "../../protocol/messages";
 import type { Palette } from "../../views/blocks/palette";
+import type { Resident } from "./world";
 
 /** A picture of a program, which the page draws for the command line. */
 export interface PictureContent {
@@ -16,18 +27,28 @@ export interface PictureContent {
 }
 
 /** A run, with every moment, question and answer that the page can show: see `server/runs/take_home.py`. */
-export interface RunContent extends Recording {
+export interface RunContent {
   readonly kind: "run";
   readonly language: string;
   readonly title: string;
-  /** The robot's name, such as `sim-ebo`. */
-  readonly robot: string;
+  /** Who made it; empty if the page is not to say so. */
+  readonly pupil: string;
   readonly palette: Palette;
+  readonly scene: Scene;
+  /** Where all robots were at each time in s. */
+  readonly states: readonly (readonly [number, Telemetry["robots"]])[];
+  /** At least one. */
+  readonly robots: readonly RobotContent[];
+}
+
+/** A robot of the run, with its program and all that can be shown of it. */
+export interface RobotContent extends Recording, Resident {
+  /** The name of its kind, such as `sim-ebo`. */
+  readonly robot: string;
   readonly workspace: Workspace;
   readonly blocktext: string;
   readonly python: string;
   readonly places: readonly Place[];
-  readonly scene: Scene;
   readonly printed: string;
 }
 
@@ -42,6 +63,7 @@ export interface Recording {
   readonly answers: readonly WhyAnswer[];
 }
 
+/** Without the states of the robots, which `RunContent` has. */
 export interface Moment {
   readonly past: Past;
   /** How many points of the drawing there were, if it is not in `past`. */

@@ -8,6 +8,7 @@ import type {
   Past,
   Questions,
   ReadQuestions,
+  Telemetry,
   WhyAnswer,
 } from "../../protocol/messages";
 import type { Moment, Recording } from "./content";
@@ -16,7 +17,11 @@ import type { Moment, Recording } from "./content";
 const NEAR = 0.5;
 
 export class RecordedRun {
-  constructor(private readonly recording: Recording) {}
+  constructor(
+    private readonly recording: Recording,
+    /** Where all robots were at the time of a moment. */
+    private readonly robotsAt: (time: number) => Telemetry["robots"],
+  ) {}
 
   /** The last moment. */
   get end(): Past {
@@ -71,8 +76,9 @@ export class RecordedRun {
   }
 
   private pastOf({ past, drawn }: Moment): Past {
-    if (past.drawing || !past.telemetry) return past;
-    return { ...past, drawing: firstPoints(this.recording.drawing, drawn) };
+    if (!past.telemetry) return past;
+    const telemetry = { ...past.telemetry, robots: this.robotsAt(past.time) };
+    return { ...past, telemetry, drawing: past.drawing ?? firstPoints(this.recording.drawing, drawn) };
   }
 }
 

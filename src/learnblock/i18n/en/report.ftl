@@ -53,7 +53,8 @@ report-listens = This program listens to the keyboard: { $keys }. Ctrl-C ends it
 # $programs: the name of each robot and its keys, such as "left ↑ ↓; right w s".
 report-team-listens = The programs listen to the keyboard: { $programs }. Ctrl-C ends them all.
 report-why-alone = With --why, leave out --variants.
-report-page-alone = With --page, run one program once.
+report-page-alone = With --page, leave out --variants.
+report-name-without-page = With --name, add --page FILE: that page says who made it.
 report-why-not-a-folder = The logs of several robots need a folder, and { $folder } cannot be one.
 report-why-not-whole = The log for questions ends too early: { $reason }
 report-keys-line = Write a line such as {"{"}"t": 1.5, "keys": ["up"]{"}"}.

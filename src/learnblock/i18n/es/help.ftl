@@ -342,6 +342,7 @@ help-run-with-trace = Escribe la traza como JSON Lines.
 help-run-with-why = Escribe un registro para preguntas: mira learnblock why.
 help-run-with-picture = Dibuja el mundo y el recorrido como .png o .svg.
 help-run-with-page = Escribe una página para llevar a casa, que muestra la ejecución.
+help-run-with-name = Dice en esa página quién la hizo.
 help-run-with-keys = Pulsa las teclas de este archivo: consulta docs/games.md.
 help-run-with-anyway = Ejecuta aunque al robot le falte un dispositivo que necesita.
 help-run-with-allow-network = Permite al programa usar la red.

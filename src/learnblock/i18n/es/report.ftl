@@ -50,7 +50,8 @@ report-listens = Este programa escucha el teclado: { $keys }. Ctrl-C lo termina.
 # $programs: el nombre de cada robot y sus teclas, como «left ↑ ↓; right w s».
 report-team-listens = Los programas escuchan el teclado: { $programs }. Ctrl-C los termina todos.
 report-why-alone = Con --why, omite --variants.
-report-page-alone = Con --page, ejecuta un solo programa una vez.
+report-page-alone = Con --page, no uses --variants.
+report-name-without-page = Con --name, añade --page ARCHIVO: esa página dice quién la hizo.
 report-why-not-a-folder = Los registros de varios robots necesitan una carpeta, y { $folder } no puede serlo.
 report-why-not-whole = El registro para preguntas acaba antes de tiempo: { $reason }
 report-keys-line = Escribe una línea como {"{"}"t": 1.5, "keys": ["up"]{"}"}.

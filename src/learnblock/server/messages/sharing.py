@@ -6,7 +6,7 @@ from msgspec import Meta
 
 from learnblock.i18n import Phrase
 from learnblock.project.files.share_link import LONGEST_INPUT
-from learnblock.server.messages.base import Look, Name, Own, Pace, ToPage
+from learnblock.server.messages.base import Look, Name, Own, Pace, ShortText, ToPage
 
 # From the page.
 
@@ -22,12 +22,14 @@ class ExportRun(Look, frozen=True):
 
     Args:
         language: of that page.
+        pupil: who made it, if the page is to say so; else empty.
     """
 
     # All questions about the run are answered for it.
     pace: ClassVar = Pace(minute=6, burst=3)
 
     language: Name = "en"
+    pupil: ShortText = ""
 
 
 class OpenLink(Own, frozen=True):

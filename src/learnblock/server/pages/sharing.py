@@ -1,11 +1,15 @@
 """Handlers of messages about links that hold a project."""
 
+from collections.abc import Iterator
+
 from anyio import to_thread
 
 from learnblock.i18n import Phrase
+from learnblock.project.document.document import Document
 from learnblock.project.files.share_link import LinkError, SharedProject, link_of, read_link
 from learnblock.server import messages
 from learnblock.server.pages.page import Handlers, Page
+from learnblock.server.runs.looking import Looking
 
 HANDLERS = Handlers()
 
@@ -29,17 +33,28 @@ async def _make_link(page: Page, message: messages.MakeLink) -> None:
 
 @HANDLERS.add
 async def _export_run(page: Page, message: messages.ExportRun) -> None:
-    looking = page.player.shown_run.require_looking()
     page.session.runs.require_rest()
-    part, name = page.part, page.session.name
+    runs, name = list(_shown_runs(page)), page.session.name
 
     def write() -> bytes:
-        from learnblock.server.runs.take_home import Titles, run_page  # noqa: PLC0415 - the page opens before
+        from learnblock.server.runs.take_home import RobotRun, Titles, run_page  # noqa: PLC0415 - the page opens before
 
-        titles = Titles(name, part.robot.name, message.language)
-        return run_page(looking.log, part.document, titles).encode()
+        robots = [RobotRun(looking.log, document, kind) for looking, document, kind in runs]
+        return run_page(robots, Titles(name, message.language, message.pupil.strip())).encode()
 
     page.send(messages.RunExported(f"{name}.html", await to_thread.run_sync(write)))
+
+
+def _shown_runs(page: Page) -> Iterator[tuple[Looking, Document, str]]:
+    """The kept run that the page shows, or the newest run of each robot."""
+    looking = page.player.shown_run.require_looking()
+    if page.player.shown_run.kept:
+        yield looking, page.part.document, page.part.robot.name
+        return
+    for part in page.session.parts:
+        for player in part.players:
+            if newest := player.shown_run.newest:
+                yield newest, part.document, part.robot.name
 
 
 @HANDLERS.add

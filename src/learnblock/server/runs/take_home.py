@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from math import ceil
 from typing import Any
 
 from msgspec.structs import replace
@@ -13,11 +14,12 @@ from learnblock.project.document.document import Document
 from learnblock.server import messages
 from learnblock.server.runs.kept import lines_now, printed, scene_of
 from learnblock.server.runs.looking import Log, Looking
+from learnblock.server.runs.one_world import plain, shared_states, thinned
 from learnblock.standalone.page import filled
 from learnblock.why.recorded import Recorded
 
-#: Moments in every second of a short run, the most of a long one, and the most lines between two:
-#: few enough for a file of 2 MB.
+#: Moments in every second of a short run, the most of a long one for all robots together, and the
+#: most lines between two: few enough for a file of 2 MB.
 RATE, MOST, LINES = 20, 600, 1
 #: The most moments at which it says what the robot is doing.
 MOST_NOW = 60
@@ -32,21 +34,35 @@ class Titles:
 
     Args:
         program: the name of the program.
-        robot: the name of its robot, such as ``sim-ebo``.
         language: of the page, such as ``es``.
+        pupil: who made it, if the page is to say so; else empty.
     """
 
     program: str
-    robot: str
     language: str
+    pupil: str = ""
 
 
-def run_page(log: Log, document: Document, titles: Titles, begin: float = 0.0) -> str:
+@dataclass(frozen=True)
+class RobotRun:
+    """A robot of the run.
+
+    Args:
+        log: of its run, which has ended.
+        document: its program.
+        kind: the name of its kind, such as ``sim-ebo``.
+    """
+
+    log: Log
+    document: Document
+    kind: str
+
+
+def run_page(robots: Sequence[RobotRun], titles: Titles, begin: float = 0.0) -> str:
     """The page that shows a run, with fewer moments if it would be too large.
 
     Args:
-        log: of the run, which was in a simulated world and has ended.
-        document: the program.
+        robots: the robots of the run; those that were in no simulated world are left out.
         titles: what the page is called.
         begin: the time in s from which on the run is shown.
 
@@ -54,48 +70,85 @@ def run_page(log: Log, document: Document, titles: Titles, begin: float = 0.0) -
         LearnBlockError: the run was not in a world that can be shown, was of another program, or
             is too large.
     """
-    content = run_content(log, document, titles, begin)
+    content = run_content(robots, titles, begin)
     while len(page := filled(content)) > LARGEST:
-        moments = content["moments"]
-        if len(moments) < FEWEST:
+        if len(content["states"]) < FEWEST:
             raise LearnBlockError("take-home-too-large", most=LARGEST // 1_000_000)
-        content["moments"] = [*moments[:-1:2], moments[-1]]
+        content = thinned(content)
     return page
 
 
-def run_content(log: Log, document: Document, titles: Titles, begin: float = 0.0) -> dict[str, Any]:
+def run_content(robots: Sequence[RobotRun], titles: Titles, begin: float = 0.0) -> dict[str, Any]:
     """The content of `run_page`, of any size: see `frontend/src/features/standalone/content.ts`."""
-    recorded = Recorded.of(log.blocks)
-    if "world" not in recorded.robot:
+    all_recorded = [(robot, Recorded.of(robot.log.blocks)) for robot in robots]
+    shown = [(robot, recorded) for robot, recorded in all_recorded if "world" in recorded.robot]
+    if not shown:
         raise LearnBlockError("take-home-no-world")
-    then, today = recorded.program, document.program(titles.program)
-    if then.identity != today.identity:
-        raise LearnBlockError("take-home-changed")
-    blocks = [document.block_at(line) for line in lines_now(then.python, today.python)]
-    looking = Looking(log, blocks)
-    timeline = _from(begin, looking.timeline())
+    for robot, recorded in shown:
+        if recorded.program.identity != robot.document.program(titles.program).identity:
+            raise LearnBlockError("take-home-changed")
+    looks = [_looking(robot, recorded) for robot, recorded in shown]
+    timelines = [_from(begin, looking.timeline()) for looking in looks]
+    interval = _interval(timelines)
+    contents = [
+        {**_about(robot, recorded), **_recording(looking, timeline, interval)}
+        for (robot, recorded), looking, timeline in zip(shown, looks, timelines, strict=True)
+    ]
+    return {
+        "kind": "run",
+        "language": titles.language,
+        "title": titles.program,
+        "pupil": titles.pupil,
+        "palette": palette(all_configurations(), titles.language),
+        "scene": scene_of(shown[0][1]),
+        "states": shared_states(contents),
+        "robots": contents,
+    }
+
+
+def _looking(robot: RobotRun, recorded: Recorded) -> Looking:
+    document = robot.document
+    now = document.program(recorded.program.name).python
+    blocks = [document.block_at(line) for line in lines_now(recorded.program.python, now)]
+    return Looking(robot.log, blocks)
+
+
+def _interval(timelines: Sequence[messages.Timeline]) -> float:
+    """The time in s between two even times, which are the same for all robots."""
+    longest = max(timeline.end - timeline.begin for timeline in timelines)
+    most = max(MOST_NOW, MOST // len(timelines))
+    return longest / min(most, max(1, round(longest * RATE))) or 1 / RATE
+
+
+def _about(robot: RobotRun, recorded: Recorded) -> dict[str, Any]:
+    """A robot with its program, as they are all the time."""
+    document, scene = robot.document, scene_of(recorded)
+    return {
+        "name": recorded.name,
+        "robot": robot.kind,
+        "workspace": document.workspace,
+        "blocktext": document.blocktext,
+        "python": document.python,
+        "places": document.places,
+        "cameras": scene.cameras,
+        "start": scene.start,
+        "printed": printed(recorded),
+    }
+
+
+def _recording(looking: Looking, timeline: messages.Timeline, interval: float) -> dict[str, Any]:
+    """All moments of a robot, and all answers about it."""
     looking.wait_until_prepared()
-    even = [looking.past(request) for request in _requests(looking, timeline)]
-    questions = _questions(looking, begin)
+    even = [looking.past(request) for request in _requests(looking, timeline, interval)]
+    questions = _questions(looking, timeline.begin)
     answers = list(_answers(looking, questions, timeline, even))
     all_moments = [*even, *_moments_of(looking, answers)]
     all_moments.sort(key=lambda moment: (moment.time, moment.event))
     moments, drawing = _without_drawings(all_moments)
     return {
-        "kind": "run",
-        "language": titles.language,
-        "title": titles.program,
-        "robot": titles.robot,
-        "palette": palette(all_configurations(), titles.language),
-        "workspace": document.workspace,
-        "blocktext": document.blocktext,
-        "python": document.python,
-        "places": document.places,
-        "scene": scene_of(recorded),
         "timeline": timeline,
         "moments": moments,
         "drawing": drawing,
-        "printed": printed(recorded),
         "questions": questions,
         "answers": answers,
     }
@@ -108,14 +161,15 @@ def _from(begin: float, timeline: messages.Timeline) -> messages.Timeline:
     return replace(timeline, begin=begin, marks=marks, way=way)
 
 
-def _requests(looking: Looking, timeline: messages.Timeline) -> Iterator[messages.LookBack]:
+def _requests(
+    looking: Looking, timeline: messages.Timeline, interval: float
+) -> Iterator[messages.LookBack]:
     """The moments to show, in order: at even times, and at lines between them."""
-    begin, length = timeline.begin, timeline.end - timeline.begin
-    count = min(MOST, max(1, round(length * RATE)))
+    begin, end = timeline.begin, timeline.end
     now = messages.LookBack(begin, None if begin else -1)
     yield now
-    for number in range(1, count + 1):
-        time = begin + length * number / count
+    count = ceil((end - begin) / interval - 1e-6)
+    for time in (*(begin + interval * number for number in range(1, count)), end):
         for _ in range(LINES):
             # Only asked for: a world that has run beyond the next even time would begin again.
             line = looking.reached(replace(now, step=1, to="line"))
@@ -147,9 +201,9 @@ def _without_drawings(
     for moment in moments:
         drawn = _points(moment.drawing)
         if drawn == points[: len(drawn)]:
-            short.append({"past": replace(moment, drawing=None), "drawn": len(drawn)})
+            short.append({"past": plain(replace(moment, drawing=None)), "drawn": len(drawn)})
         else:
-            short.append({"past": moment, "drawn": 0})
+            short.append({"past": plain(moment), "drawn": 0})
     return short, last
 
 

@@ -161,8 +161,27 @@ def test_the_last_run_is_exported_as_a_page_in_its_language(page):
     exported = page.hear("RunExported")
     assert exported["filename"] == "square.html"
     content = content_of(base64.b64decode(exported["content"]).decode())
-    assert (content["language"], content["blocktext"]) == ("es", PROGRAM)
-    assert content["timeline"]["end"] > 1
+    [robot] = content["robots"]
+    assert (content["language"], content["pupil"], robot["blocktext"]) == ("es", "", PROGRAM)
+    assert robot["timeline"]["end"] > 1
+
+
+def test_a_run_of_several_robots_is_exported_with_all_of_them_and_the_name_that_is_wished(page):
+    imported(page)
+    page.say("AddTab", robot="sim-ev3")
+    page.hear("TabOpened")
+    page.type(FARTHER)
+    page.say("SetSpeed", factor=None)
+    page.say("Run")
+    page.hear("RunState", state="starting")
+    while any(tab["state"] != "ended" for tab in page.hear("Tabs")["tabs"]):
+        pass
+    page.say("ExportRun", pupil=" Ada ")
+    content = content_of(base64.b64decode(page.hear("RunExported")["content"]).decode())
+    assert content["pupil"] == "Ada"
+    robots = {robot["name"]: (robot["robot"], robot["blocktext"]) for robot in content["robots"]}
+    assert list(robots.values()) == [("sim-ebo", PROGRAM), ("sim-ev3", FARTHER)]
+    assert set(robots) == {robot["name"] for robot in content["states"][0][1]}
 
 
 def test_a_run_of_another_program_is_not_exported(page):
