@@ -39,3 +39,12 @@ test("where nothing can be opened there is no button", () => {
   render(<Markdown text={fenced("blocktext", PROGRAM)} lesson="" drawings={{}} />);
   expect(screen.queryAllByRole("button")).toHaveLength(0);
 });
+
+test("without a server a picture is one of those that are given, or its words", () => {
+  const pictures = { "robot.svg": "data:image/svg+xml;base64,AA==" };
+  const text = "![The robot](pictures/robot.svg) ![A box](box.png)";
+  render(<Markdown text={text} lesson="" drawings={{}} pictures={pictures} />);
+  expect(screen.getByRole("img", { name: "The robot" }).getAttribute("src")).toBe(pictures["robot.svg"]);
+  expect(screen.getAllByRole("img")).toHaveLength(1);
+  expect(screen.getByText("A box").tagName).toBe("EM");
+});

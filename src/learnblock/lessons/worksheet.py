@@ -1,7 +1,6 @@
 """A lesson on paper: tasks, blocks to cut out, lines to write on, and solutions apart."""
 
 import random
-import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -12,13 +11,11 @@ from learnblock.language.workspace.blocks import Block, Workspace
 from learnblock.lessons.describing import title_of
 from learnblock.lessons.drawing import drawn_part, drawn_program
 from learnblock.lessons.lesson import Quiz
+from learnblock.lessons.lesson_pictures import pictures_in
 from learnblock.lessons.opened import OpenLesson, program_tree
 from learnblock.lessons.teachers_part import SolvedStep, teachers_part
 from learnblock.lessons.texts import in_language, parts_of
 from learnblock.standalone.page import filled
-
-#: A picture, which paper has no room for.
-_PICTURE = re.compile(r"!\[([^\]\n]*)\]\([^)\n]*\)")
 
 
 def worksheet(opened: OpenLesson, words: str) -> str:
@@ -31,12 +28,15 @@ def worksheet(opened: OpenLesson, words: str) -> str:
     Raises:
         LessonError: one of its files is missing or not UTF-8.
     """
+    steps = teachers_part(opened).steps
+    texts = [in_language(solved.step.text, words) for solved in steps]
     content = {
         "kind": "worksheet",
         "language": words,
         "palette": palette(all_configurations(), words),
         "title": in_language(opened.lesson.title, words),
-        "steps": [_step(opened, solved, words) for solved in teachers_part(opened).steps],
+        "pictures": pictures_in(opened, texts),
+        "steps": [_step(opened, solved, words) for solved in steps],
     }
     return filled(content)
 
@@ -77,7 +77,7 @@ def _parts(text: str) -> Iterator[dict[str, Any]]:
         if is_drawn:
             yield {"text": part, "workspace": drawn_part(part)}
         elif part.strip():
-            yield {"text": _PICTURE.sub(r"*\1*", part), "workspace": None}
+            yield {"text": part, "workspace": None}
 
 
 def _shuffled(program: Workspace, solved: SolvedStep) -> list[Workspace]:

@@ -1,12 +1,15 @@
 """A worksheet has the blocks of each solution to cut out, and says what the lesson says."""
 
+import base64
+
 import pytest
 
 from learnblock.blocks.known import all_configurations
 from learnblock.language import parse, to_workspace
-from learnblock.lessons.reading import find_lesson
+from learnblock.lessons.reading import find_lesson, unpack
 from learnblock.lessons.worksheet import pieces_of, worksheet
 from page_files import content_of
+from small_lesson import PICTURE, packed
 
 SQUARE = "1-03-square"
 
@@ -65,3 +68,12 @@ def test_a_piece_has_its_values_but_nothing_inside():
 def test_drawn_programs_are_apart_from_the_text_around_them(sheet):
     kinds = [part["workspace"] is not None for part in sheet["steps"][0]["text"]]
     assert kinds == [False, True]
+
+
+def test_the_pictures_in_its_texts_are_inside():
+    sheet = content_of(worksheet(unpack("small.lesson", packed()), "en"))
+    [(name, address)] = sheet["pictures"].items()
+    assert name == "start.svg"
+    kind, _, data = address.partition(";base64,")
+    assert (kind, base64.b64decode(data).decode()) == ("data:image/svg+xml", PICTURE)
+    assert any("](start.svg)" in part["text"] for part in sheet["steps"][0]["text"])

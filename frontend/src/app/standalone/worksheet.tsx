@@ -43,7 +43,8 @@ async function drawn(workspace: Workspace, language: string, scale: number): Pro
   return <img src={svgAddress(svg)} width={width * scale} alt="" />;
 }
 
-function Worksheet({ content: { title, steps }, drawings }: { content: WorksheetContent; drawings: Drawings }) {
+function Worksheet({ content, drawings }: { content: WorksheetContent; drawings: Drawings }) {
+  const { title, pictures, steps } = content;
   const solved = steps.map((step, index) => ({ step, number: index + 1 })).filter(({ step }) => hasAnswer(step));
   return (
     <main class="worksheet">
@@ -52,7 +53,7 @@ function Worksheet({ content: { title, steps }, drawings }: { content: Worksheet
         <p>{t("page-worksheet-name")}</p>
       </header>
       {steps.map((step, index) => (
-        <Task key={index} step={step} number={index + 1} drawings={drawings} />
+        <Task key={index} step={step} number={index + 1} drawings={drawings} pictures={pictures} />
       ))}
       {solved.length > 0 && (
         <section class="worksheet-solutions">
@@ -76,13 +77,20 @@ interface StepProps {
   readonly drawings: Drawings;
 }
 
-function Task({ step: { title, text, goals, quiz, pieces, solution }, number, drawings }: StepProps) {
+interface TaskProps extends StepProps {
+  readonly pictures: WorksheetContent["pictures"];
+}
+
+function Task({ step, number, drawings, pictures }: TaskProps) {
+  const { title, text, goals, quiz, pieces, solution } = step;
   const lines = solution ? solution.text.trimEnd().split("\n").length : NOTES;
   return (
     <section>
       <h2>{t("page-worksheet-step", { number, title })}</h2>
       {text.map(({ text: words, workspace }, index) => (
-        <div key={index}>{workspace ? drawings.get(workspace) : <Markdown text={words} lesson="" drawings={{}} />}</div>
+        <div key={index}>
+          {workspace ? drawings.get(workspace) : <Markdown text={words} lesson="" drawings={{}} pictures={pictures} />}
+        </div>
       ))}
       {goals.length > 0 && (
         <>

@@ -14,6 +14,8 @@ interface Props {
   readonly lesson: string;
   /** The blocks of the code blocks that are drawn, by their text. */
   readonly drawings: Readonly<Record<string, Workspace>>;
+  /** The addresses of pictures by their names, where there is no server to ask for them. */
+  readonly pictures?: Readonly<Record<string, string>>;
   /** Opens the Block-Text of a whole program as a project; nothing without it. */
   readonly open?: (program: string) => void;
 }
@@ -75,7 +77,7 @@ function Piece({ token, props, depth }: PieceProps): ComponentChildren {
     case "table":
       return <Table table={token as Tokens.Table} props={props} depth={depth} />;
     case "image":
-      return <Picture image={token as Tokens.Image} lesson={props.lesson} />;
+      return <Picture image={token as Tokens.Image} props={props} />;
     case "link":
       return <Link link={token as Tokens.Link}>{inside()}</Link>;
     case "text":
@@ -151,10 +153,10 @@ function Table({ table, props, depth }: { table: Tokens.Table; props: Props; dep
 }
 
 /** A picture of the lesson; of any other, only its words. */
-function Picture({ image, lesson }: { image: Tokens.Image; lesson: string }) {
-  const file = PICTURE.exec(image.href)?.[1];
-  if (!file) return <em>{image.text}</em>;
-  return <img src={lessonPicture(lesson, file)} alt={image.text} />;
+function Picture({ image, props: { lesson, pictures } }: { image: Tokens.Image; props: Props }) {
+  const file = PICTURE.exec(image.href)?.[1] ?? "";
+  const address = pictures ? pictures[file] : file && lessonPicture(lesson, file);
+  return address ? <img src={address} alt={image.text} /> : <em>{image.text}</em>;
 }
 
 function Link({ link, children }: { link: Tokens.Link; children: ComponentChildren }) {

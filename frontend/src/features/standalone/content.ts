@@ -76,6 +76,8 @@ export interface WorksheetContent {
   readonly language: string;
   readonly palette: Palette;
   readonly title: string;
+  /** The addresses of the pictures in its texts, with their data, by their names. */
+  readonly pictures: Readonly<Record<string, string>>;
   readonly steps: readonly WorksheetStep[];
 }
 
