@@ -125,9 +125,9 @@ test("the picture of a pupil without news from the server is grey", async () => 
 test("few pupils get large tiles, which a filter does not change", () => {
   open(["Ana", "Leo", "Mia", "Zoe"]);
   const grid = () => screen.getByRole("grid");
-  expect(grid().getAttribute("style")).toBe("--columns: 3; --rows: 2;");
+  expect(grid().getAttribute("style")).toBe("--columns: 2; --rows: 2;");
   fireEvent.click(screen.getAllByText("Not begun")[0]!);
-  expect(grid().getAttribute("style")).toBe("--columns: 3; --rows: 2;");
+  expect(grid().getAttribute("style")).toBe("--columns: 2; --rows: 2;");
 });
 
 test("a class of many has as many tiles in a row as there is room for", () => {

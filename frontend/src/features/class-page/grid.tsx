@@ -75,7 +75,7 @@ export function Grid({ stream, drawing, wall, seats, isBusy, hint, handOut, remo
 }
 
 /** The most tiles in a row for which few pupils get large ones, by their number. */
-const FEW = [1, 2, 3, 3, 3, 3, 4, 4, 5, 5, 4, 4] as const;
+const FEW = [1, 2, 3, 2, 3, 3, 4, 4, 5, 5, 4, 4] as const;
 
 /** For so many pupils the pictures are drawn twice as large. */
 const LARGE = 6;
@@ -84,7 +84,10 @@ const LARGE = 6;
 function tilesFor(count: number): { readonly class: string; readonly style?: string } {
   const columns = FEW[count - 1];
   if (!columns) return { class: "tiles" };
-  return { class: "tiles few", style: `--columns: ${columns}; --rows: ${Math.ceil(count / columns)}` };
+  return {
+    class: count > LARGE ? "tiles few" : "tiles few large",
+    style: `--columns: ${columns}; --rows: ${Math.ceil(count / columns)}`,
+  };
 }
 
 function tileAt(target: EventTarget | null): HTMLElement | null {

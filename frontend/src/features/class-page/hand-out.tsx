@@ -34,7 +34,6 @@ interface Props {
 export function HandOutDialog({ stream, now, seats, to, close }: Props) {
   const offers = stream.offers.value;
   const next = nextAfter(offers, now);
-  const isDeleting = useSignal(false);
   const wanted = useSignal("");
   const shelf = useSignal<Shelf>(shelfOf(next ?? now));
   const chosen = useSignal((next ?? now)?.name ?? "");
@@ -49,7 +48,6 @@ export function HandOutDialog({ stream, now, seats, to, close }: Props) {
     chosen.value = name;
   };
   const forget = () => {
-    isDeleting.value = false;
     chosen.value = "";
     if (own === 1) shelf.value = shelfOf(now);
   };
@@ -70,12 +68,7 @@ export function HandOutDialog({ stream, now, seats, to, close }: Props) {
       <form class="hand-out" onSubmit={handOut}>
         <Shelves {...{ wanted, shelf }} own={own}>
           <AddLesson offers={offers} choose={choose} />
-          {lesson?.own && (
-            <button type="button" class="button bordered" onClick={() => (isDeleting.value = true)}>
-              <Icon name="trash" />
-              {t("page-lesson-delete-menu")}
-            </button>
-          )}
+          {lesson?.own && <DeleteLesson lesson={lesson} done={forget} />}
         </Shelves>
         <div class="hand-out-cards" role="radiogroup" aria-label={t("page-class-lessons")}>
           {shown.map((offer) => (
@@ -94,9 +87,6 @@ export function HandOutDialog({ stream, now, seats, to, close }: Props) {
           choose={(step) => (from.value = { lesson: lesson?.name ?? "", step })}
         />
       </form>
-      {isDeleting.value && lesson && (
-        <DeleteLesson lesson={lesson} close={() => (isDeleting.value = false)} done={forget} />
-      )}
     </Dialog>
   );
 }
