@@ -12,6 +12,10 @@ if TYPE_CHECKING:
     from learnblock.perception import Detector, Sight
     from learnblock.perception.frames import Frame
 
+#: The distance of the values of two frames that are compared first: a prime, so that they are of
+#: all channels and columns.
+APART = 997
+
 
 # Why: docs/decisions.md, "Cameras are analysed in one place"
 class Vision(Closing):
@@ -84,5 +88,8 @@ def _is_same(frame: "Frame", other: "Frame") -> bool:
     """Whether two frames are equal, like those of a simulator while nothing moves."""
     import numpy as np  # noqa: PLC0415 - as above
 
-    # Comparing them takes a hundredth of the time for face detection.
-    return frame is other or np.array_equal(frame, other)
+    if frame is other:
+        return True
+    # Frames of a robot that moves differ nearly everywhere, so a few of their values show it.
+    few = slice(None, None, APART)
+    return np.array_equal(frame.ravel()[few], other.ravel()[few]) and np.array_equal(frame, other)

@@ -38,6 +38,17 @@ def test_a_picture_is_searched_once_for_each_kind_of_object(searched):
     assert searched == ["tags", "lines", "tags"]
 
 
+@pytest.mark.parametrize("place", [(0, 0, 0), (0, 0, 1), (120, 7, 2), (239, 319, 2)])
+def test_a_picture_that_differs_in_one_value_is_searched_again(searched, place):
+    other = PLAIN.copy()
+    other[place] += 1
+    frames = [PLAIN, other]
+    vision = Vision(lambda: frames.pop(0), drawn=True)
+
+    assert vision.detect("tags") == vision.detect("tags")
+    assert searched == ["tags", "tags"]
+
+
 def test_detectors_run_only_on_request(searched):
     Vision(lambda: PLAIN, drawn=True)
     assert searched == []
