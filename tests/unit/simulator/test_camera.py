@@ -306,12 +306,18 @@ def test_the_short_ways_for_plain_and_grey_textures_draw_the_same_picture(seed):
     size = (*generator.integers(2, 300, 2), 1)
     plain_floor = np.full((*size[:2], 3), generator.integers(0, 256, 3), np.uint8)
     grey_board = np.repeat(generator.integers(0, 256, size, np.uint8), 3, axis=2)
-    surfaces = [ground(plain_floor), Surface(random_quad(generator), grey_board)]
+    # A part of another one has colours.
+    coloured = np.array(grey_board)
+    row, column = generator.integers(0, size[:2])
+    coloured[row : row + 20, column : column + 20] = generator.integers(0, 256, 3)
+    surfaces = [ground(plain_floor)] + [
+        Surface(random_quad(generator), board) for board in (grey_board, coloured)
+    ]
     pose = CameraPose(*generator.uniform(-50, 50, 2), 120, *generator.uniform(-25, 25, 2))
     picture = render(surfaces, MODEL, pose, BLACK)
     with pytest.MonkeyPatch.context() as patches:
         patches.setattr(MipChain, "is_plain", False)
-        patches.setattr(MipChain, "is_grey", False)
+        patches.setattr(MipChain, "_has_colours", lambda *_: True)
         again = [Surface(surface.corners, surface.texture) for surface in surfaces]
 
         assert np.array_equal(render(again, MODEL, pose, BLACK), picture)

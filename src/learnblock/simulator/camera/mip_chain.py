@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 
 from learnblock.simulator.camera.vectors import Image
+from learnblock.simulator.camera.window import Window
 
 
 class MipChain:
@@ -17,7 +18,9 @@ class MipChain:
 
     def __init__(self, texture: Image) -> None:
         self._levels = {0: texture}
-        self._samples: dict[int, Image] = {}
+        #: Of a level, one channel, and where it has colours.
+        self._greys: dict[int, Image] = {}
+        self._coloured: dict[int, Window] = {}
 
     @property
     def last(self) -> int:
@@ -32,12 +35,6 @@ class MipChain:
         same = cv2.inRange(texture, colour, colour)
         return cv2.countNonZero(same) == same.size
 
-    @cached_property
-    def is_grey(self) -> bool:
-        """Whether the texture has no colours, only black, white and what is between them."""
-        red, green, blue = cv2.split(self._levels[0])
-        return not any(cv2.hasNonZero(cv2.absdiff(red, other)) for other in (green, blue))
-
     def level(self, number: int) -> Image:
         """The texture at 1/2**number of its size."""
         if number not in self._levels:
@@ -47,13 +44,34 @@ class MipChain:
             self._levels.setdefault(number, _shrunk(finer, width, height))
         return self._levels[number]
 
-    def samples(self, number: int) -> Image:
-        """A level to take samples from: of a grey texture only one channel, a third of the work."""
-        if number not in self._samples:
-            level = self.level(number)
-            channels = np.ascontiguousarray(level[..., 0]) if self.is_grey else level
-            self._samples.setdefault(number, channels)
-        return self._samples[number]
+    def samples(self, number: int, region: Window) -> Image:
+        """A level to take samples from: only one channel if the region is grey.
+
+        Args:
+            number: of the level.
+            region: the texels that are needed.
+        """
+        return self.level(number) if self._has_colours(number, region) else self._grey(number)
+
+    def _grey(self, number: int) -> Image:
+        """One channel of a level."""
+        if number not in self._greys:
+            self._greys.setdefault(number, np.ascontiguousarray(self.level(number)[..., 0]))
+        return self._greys[number]
+
+    def _has_colours(self, number: int, region: Window) -> bool:
+        """Whether some texels of a region may not be black, white or what is between them."""
+        if number not in self._coloured:
+            self._coloured.setdefault(number, _coloured(self.level(number)))
+        return self._coloured[number].meets(region)
+
+
+def _coloured(texture: Image) -> Window:
+    """The window around all texels that are not grey; empty if there are none."""
+    red, green, blue = cv2.split(texture)
+    different = cv2.bitwise_or(cv2.absdiff(red, green), cv2.absdiff(red, blue))
+    left, top, width, height = cv2.boundingRect(different)
+    return Window(left, top, left + width, top + height)
 
 
 def _shrunk(texture: Image, width: int, height: int) -> Image:

@@ -1,6 +1,7 @@
 """The texture of a facet, sampled for the pixels of a window."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -15,6 +16,8 @@ SHARPNESS = 0.25
 # The maximum number of samples per side of a pixel (a power of two), and the texels between them.
 MOST_SAMPLES = 4
 SPACING = 2.5
+# The texels beside a sample that may have a part in it, and more.
+AROUND = 3
 
 
 def texels(facet: Facet, patch: Patch, window: Window) -> Image:
@@ -24,7 +27,7 @@ def texels(facet: Facet, patch: Patch, window: Window) -> Image:
     if mips.is_plain:
         return _plain(size, _shaded(mips.level(mips.last), facet.shade))
     seen = _shaded(_warped(facet, _sampling(facet, patch, window), window, size), facet.shade)
-    return _coloured(seen) if mips.is_grey else seen
+    return _coloured(seen) if seen.ndim == 2 else seen
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +77,7 @@ def _footprint(facet: Facet, patch: Patch, window: Window) -> tuple[float, float
     return right, down
 
 
-def _at(plane: Vector, column: float, row: float) -> float:
+def _at(plane: Sequence[float], column: float, row: float) -> float:
     return plane[0] * column + plane[1] * row + plane[2]
 
 
@@ -85,8 +88,7 @@ def clamped(value: float, low: float, high: float) -> float:
 def _warped(
     facet: Facet, sampling: Sampling, window: Window, size: tuple[int, int]
 ) -> cv2.typing.MatLike:
-    texture = facet.surface.mips.samples(sampling.level)
-    height, width = texture.shape[:2]
+    height, width = facet.surface.mips.level(sampling.level).shape[:2]
     across, along, nearness = (
         sampling.over_samples(window.shift(plane)) for plane in facet.pixel_to_texture
     )
@@ -99,11 +101,41 @@ def _warped(
         ]
     )
     finer = (size[0] * sampling.columns, size[1] * sampling.rows)
+    region = _region(homography.tolist(), finer, (width, height))
+    texture = facet.surface.mips.samples(sampling.level, region)
     flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
     samples = cv2.warpPerspective(
         texture, homography, finer, flags=flags, borderMode=cv2.BORDER_REPLICATE
     )
     return _averaged(samples, sampling.columns, sampling.rows)
+
+
+def _region(
+    homography: Sequence[Sequence[float]], size: tuple[int, int], texture: tuple[int, int]
+) -> Window:
+    """The texels from which a picture is sampled, and some around them.
+
+    Args:
+        homography: from samples to texels.
+        size: the columns and rows of samples.
+        texture: the columns and rows of texels; what is beside them repeats the nearest.
+    """
+    across, along, nearness = homography
+    right, bottom = size[0] - 1, size[1] - 1
+    corners = [(0, 0), (right, 0), (right, bottom), (0, bottom)]
+    scales = [_at(nearness, *corner) for corner in corners]
+    if min(scales) <= 0:
+        # Beyond the horizon, what is seen is not between what is seen in the corners.
+        return Window(0, 0, *texture)
+    limits = []
+    for plane, count in ((across, texture[0]), (along, texture[1])):
+        places = [
+            _at(plane, *corner) / scale for corner, scale in zip(corners, scales, strict=True)
+        ]
+        low, high = (clamped(place, 0, count - 1) for place in (min(places), max(places)))
+        limits.append((int(low) - AROUND, int(high) + 1 + AROUND))
+    (left, right), (top, bottom) = limits
+    return Window(left, top, right, bottom)
 
 
 def _averaged(samples: cv2.typing.MatLike, columns: int, rows: int) -> cv2.typing.MatLike:

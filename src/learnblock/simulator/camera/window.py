@@ -37,6 +37,11 @@ class Window:
     def slices(self) -> tuple[slice, slice]:
         return slice(self.top, self.bottom), slice(self.left, self.right)
 
+    def meets(self, other: "Window") -> bool:
+        """Whether they have pixels in common."""
+        across = max(self.left, other.left) < min(self.right, other.right)
+        return across and max(self.top, other.top) < min(self.bottom, other.bottom)
+
     def shift(self, plane: Vector) -> Vector:
         """An affine function of the picture's pixels as a function of the window's pixels."""
         a, b, c = plane
