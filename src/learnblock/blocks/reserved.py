@@ -56,6 +56,7 @@ RESERVED = frozenset(
         "operations",
         "outcome",
         "period",
+        "prepared",
         "read",
         "readings",
         "require_link",

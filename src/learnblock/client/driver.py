@@ -26,6 +26,19 @@ class Driver:
         """
 
     @classmethod
+    def prepared(cls, wishes: Mapping[str, Any]) -> object:
+        """What runs with these wishes need, and have from a process from which they are forked.
+
+        Args:
+            wishes: options for `hosted`.
+
+        Raises:
+            LearnBlockError: one of them is not possible.
+        """
+        cls.check_wishes(wishes)
+        return None
+
+    @classmethod
     def hosted(cls, arguments: Mapping[str, Any], wishes: Mapping[str, Any]) -> Self:
         """Create the robot in a host that runs the program in a separate process.
 

@@ -53,6 +53,8 @@ LARGEST = 256 * MEGABYTE
 _CHUNK = MEGABYTE
 #: New objects after which Python looks for garbage; by default 700.
 _UNCOLLECTED = 20_000
+#: The most worlds with their pictures that are kept for children, of some 15 MB each.
+_PREPARED = 4
 #: Seconds between two looks at whether runs that were stopped have ended.
 _LOOK = 0.5
 #: Seconds between two looks at whether a program lets its host run.
@@ -158,13 +160,13 @@ def main() -> None:
                 return
 
 
-@lru_cache(maxsize=100)
-def _load(robot: RobotEntry, world: str | None) -> None:
-    """Read what each child would read again, since it can't keep it for the next one."""
+@lru_cache(maxsize=_PREPARED)
+def _load(robot: RobotEntry, world: str | None) -> object:
+    """Read and draw what each child would read and draw again, since it can't keep it."""
     kind = robot.load()
     kind.known_equipment()
     # Our caller has made such a world, too: it is possible.
-    kind.check_wishes(Options(world=world).wishes)
+    return kind.prepared(Options(world=world).wishes)
 
 
 def _skill_modules() -> Iterator[str]:

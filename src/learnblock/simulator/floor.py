@@ -4,7 +4,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+from weakref import WeakValueDictionary
 
 from learnblock.errors import Diagnostic, WorldError
 from learnblock.i18n import Phrase
@@ -18,10 +19,15 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from learnblock.simulator import textures
+    from learnblock.simulator.camera import MipChain
     from learnblock.simulator.polyline import Polyline
 
 MAXIMUM_PIXELS = 4_000_000
 """The limit of the floor's picture in pixels: 12 MB, and 1 mm per pixel on a floor of 2 by 2 m."""
+
+#: The pictures of floors that are in use, by what is painted on them. A process that was forked
+#: from one with such a floor need not draw its own.
+_DRAWN: "WeakValueDictionary[tuple[Any, ...], MipChain]" = WeakValueDictionary()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -84,15 +90,27 @@ class Floor:
                 level += line.coverage(x, y, spot) * (line.level - level)
         return level
 
-    @cached_property
+    @property
     def image(self) -> "NDArray[np.uint8]":
-        """RGB of shape (height, width, 3), row 0 in the north; drawn when first used."""
+        """RGB of shape (height, width, 3), row 0 in the north; do not modify it."""
+        return self.mips.level(0)
+
+    @cached_property
+    def mips(self) -> "MipChain":
+        """Its picture at all sizes; drawn when first used, unless another such floor has one."""
         # Imported here because a world without a camera does not need OpenCV.
         from learnblock.simulator import textures  # noqa: PLC0415 - see above
+        from learnblock.simulator.camera import MipChain  # noqa: PLC0415 - as above
 
-        picture = None if self._picture is None else _read(self._picture)
-        painted = list(_floor_lines(textures.FloorLine, self._lines))
-        return textures.floor(self.size, self._colour, painted, self._pixels_per_mm, picture)
+        lines = tuple(_floor_lines(textures.FloorLine, self._lines))
+        design = (self.size, self._colour, lines, self._pixels_per_mm)
+        if self._picture is not None:
+            # The file may change.
+            return MipChain(textures.floor(*design, _read(self._picture)))
+        mips = _DRAWN.get(design)
+        if mips is None:
+            mips = _DRAWN[design] = MipChain(textures.floor(*design))
+        return mips
 
     @property
     def _pixels_per_mm(self) -> float:
@@ -112,7 +130,7 @@ def _floor_lines(
     kind: "type[textures.FloorLine]", lines: Iterable[PaintedLine]
 ) -> "Iterable[textures.FloorLine]":
     for line in lines:
-        points = [(float(x), float(y)) for x, y in line.middle.points]
+        points = tuple((float(x), float(y)) for x, y in line.middle.points)
         yield kind(points, line.width, line.colour)
 
 

@@ -96,7 +96,7 @@ def scenery(world: WorldDescription, floor: Floor) -> list[Surface]:
 def _floor(floor: Floor) -> Surface:
     x, y = floor.size[0] / 2, floor.size[1] / 2
     corners = np.array([(-x, y, 0), (x, y, 0), (x, -y, 0), (-x, -y, 0)], np.float64)
-    return Surface(corners, floor.image, "floor", two_sided=False)
+    return Surface.showing(floor.mips, corners, "floor", two_sided=False)
 
 
 def _border(world: WorldDescription) -> Iterator[Surface]:

@@ -1,6 +1,8 @@
+import gc
 import subprocess
 import sys
 from pathlib import Path
+from weakref import ref
 
 import cv2
 import numpy as np
@@ -95,3 +97,32 @@ def test_a_world_without_a_camera_does_not_need_opencv() -> None:
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, check=True)
 
     assert done.stdout.split() == [b"False"]
+
+
+LINE = "[[line]]\nwidth = {width}\npoints = [[-500, 0], [500, 0]]\n"
+
+
+def test_worlds_with_the_same_floor_draw_it_once(tmp_path: Path) -> None:
+    drawn = world(tmp_path, LINE.format(width=40)).floor
+    same = world(tmp_path, LINE.format(width=40) + "[floor]\nslip = 0.1").floor
+    wider = world(tmp_path, LINE.format(width=50)).floor
+
+    assert same.image is drawn.image
+    assert not np.array_equal(wider.image, drawn.image)
+
+
+def test_a_floor_that_is_no_longer_used_is_not_kept(tmp_path: Path) -> None:
+    drawn = ref(world(tmp_path, LINE.format(width=41)).floor.mips)
+    gc.collect()
+
+    assert drawn() is None
+
+
+def test_a_picture_that_has_changed_is_read_again(tmp_path: Path) -> None:
+    shades = []
+    for shade in (0, 255):
+        cv2.imwrite(str(tmp_path / "map.png"), np.full((10, 10, 3), shade, np.uint8))
+        floor = world(tmp_path, '[floor]\npicture = "map.png"').floor
+        shades.append(floor.image.mean())
+
+    assert shades == [0, 255]

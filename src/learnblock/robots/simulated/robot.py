@@ -149,6 +149,14 @@ class SimulatedRobot(Client):
         cls._prepared(wishes)
 
     @classmethod
+    def prepared(cls, wishes: Mapping[str, Any]) -> World:
+        world = cls._prepared(wishes)[0].world
+        # A picture of the user's is for contained processes only, and none of them shares it.
+        if cls.description().camera and not world.description.floor.picture:
+            world.floor.mips.complete()
+        return world
+
+    @classmethod
     def hosted(cls, arguments: Mapping[str, Any], wishes: Mapping[str, Any]) -> Self:
         simulation, start = cls._prepared({**arguments, **wishes})
         return cls(simulation=simulation, start=start)

@@ -11,8 +11,9 @@ about as large as a pixel there.
 """
 
 from learnblock.simulator.camera.lens import CameraModel, CameraPose
+from learnblock.simulator.camera.mip_chain import MipChain
 from learnblock.simulator.camera.rendering import CameraView, render
 from learnblock.simulator.camera.surface import Surface
 from learnblock.simulator.camera.vectors import Image
 
-__all__ = ["CameraModel", "CameraPose", "CameraView", "Image", "Surface", "render"]
+__all__ = ["CameraModel", "CameraPose", "CameraView", "Image", "MipChain", "Surface", "render"]

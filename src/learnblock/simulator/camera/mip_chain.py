@@ -53,6 +53,13 @@ class MipChain:
         """
         return self.level(number) if self._has_colours(number, region) else self._grey(number)
 
+    def complete(self) -> None:
+        """Compute what cameras may need of it, so that processes forked from this one have it."""
+        if not self.is_plain:
+            for number in range(self.last + 1):
+                self._grey(number)
+                self._has_colours(number, Window(0, 0, 1, 1))
+
     def _grey(self, number: int) -> Image:
         """One channel of a level."""
         if number not in self._greys:

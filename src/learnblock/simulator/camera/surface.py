@@ -42,11 +42,23 @@ class Surface:
         _check_texture(self)
         object.__setattr__(self, "mips", MipChain(self.texture))
 
-    def moved(self, corners: NDArray[np.float64]) -> "Surface":
-        """The same surface elsewhere; it shares the mip chain, which is slow to compute."""
-        surface = Surface(corners, self.texture, self.name, self.two_sided)
-        object.__setattr__(surface, "mips", self.mips)
+    @classmethod
+    def showing(
+        cls,
+        mips: MipChain,
+        corners: NDArray[np.float64],
+        name: str = "",
+        *,
+        two_sided: bool = True,
+    ) -> "Surface":
+        """A surface with a texture that others show, too: the mip chain is slow to compute."""
+        surface = cls(corners, mips.level(0), name, two_sided)
+        object.__setattr__(surface, "mips", mips)
         return surface
+
+    def moved(self, corners: NDArray[np.float64]) -> "Surface":
+        """The same surface elsewhere."""
+        return Surface.showing(self.mips, corners, self.name, two_sided=self.two_sided)
 
 
 def _check_corners(surface: Surface) -> None:

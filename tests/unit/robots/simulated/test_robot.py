@@ -12,6 +12,7 @@ from learnblock.errors import DeviceValueError, UnknownNameError
 from learnblock.i18n import Phrase
 from learnblock.robots.sim_cozmo import Robot as Cozmo
 from learnblock.robots.sim_ebo import Robot as Ebo
+from learnblock.robots.sim_thymio import Robot as Thymio
 from learnblock.robots.simulated import Simulation, find_world, pace_factor
 from learnblock.runtime.host import Host
 from learnblock.runtime.limits import Limits
@@ -19,7 +20,7 @@ from learnblock.runtime.program import Program
 from learnblock.runtime.recorder import record
 from learnblock.runtime.run import Run
 from learnblock.runtime.trace import Trace
-from learnblock.simulator import World, load_world
+from learnblock.simulator import World, load_world, textures
 from learnblock.simulator.world_description import Theme
 from runs import run_file
 
@@ -226,3 +227,25 @@ def test_a_twin_in_the_world_of_its_host_attaches_a_skill_when_it_is_called():
         assert "move_straight" not in vars(robot)
         robot.move_straight()
         assert robot.device(Base).speed == (40.0, 0.0)
+
+
+@pytest.mark.parametrize(("kind", "is_drawn"), [(Ebo, True), (Thymio, False)])
+def test_the_floor_is_drawn_for_the_runs_of_robots_with_a_camera(kind, is_drawn, monkeypatch):
+    kept = kind.prepared({"world": "line"})
+    monkeypatch.setattr(textures, "floor", None)
+    floor = World(load_world("line")).floor
+
+    assert kept.description.name == "line"
+    if is_drawn:
+        assert floor.image is kept.floor.image
+    else:
+        with pytest.raises(TypeError):
+            floor.image.any()
+
+
+def test_a_picture_of_the_users_is_not_unpacked_for_other_processes(tmp_path):
+    header = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + bytes([0, 0, 0, 9, 0, 0, 0, 9])
+    (tmp_path / "damaged.png").write_bytes(header)
+    (tmp_path / "pictured.toml").write_text('[floor]\npicture = "damaged.png"')
+
+    assert Ebo.prepared({"world": str(tmp_path / "pictured.toml")}).floor.reaches(0, 0)
