@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 
 import { created } from "../../src/features/world-editor/creating";
-import { teamOf, withNewTeam, withoutTeam, withStartIn, withTeam } from "../../src/features/world-editor/teams";
+import { newTeam, teamOf, withStartIn, withTeams } from "../../src/features/world-editor/teams";
 import { added, duplicated, emptied, removed, replaced } from "../../src/features/world-editor/things";
 import { thingAt } from "../../src/views/world/plan/sorts";
 import type { WorldValues } from "../../src/views/world/scenery/description";
@@ -9,12 +9,12 @@ import { emptyWorld } from "../worlds";
 
 const FIRST = { sort: "start", index: 0 } as const;
 
-/** A world with two starts, "start" of Team 1 and "start 2" of Team 2, and a goal for each team. */
+/** A world with two starts, "start" of red and "start 2" of blue, and a goal for each team. */
 function divided(): WorldValues {
   let world = emptyWorld();
   for (let i = 0; i < 2; i++) [world] = added(world, "start", created(world, "start", [i * 300, 0]));
-  world = withNewTeam(withNewTeam(world, "Team"), "Team");
-  world = withStartIn(withStartIn(world, "start", "Team 1"), "start 2", "Team 2");
+  for (let i = 0; i < 2; i++) world = withTeams(world, [...world.team, newTeam(world, String)]);
+  world = withStartIn(withStartIn(world, "start", "red"), "start 2", "blue");
   for (const { name } of world.team)
     [world] = added(world, "reach", { ...created(world, "reach", [0, 0]), team: name });
   return world;
@@ -26,15 +26,21 @@ const goals = ({ goal }: WorldValues) => goal.reach.map(({ team }) => team);
 test("new teams have names and colours of their own", () => {
   const { team } = divided();
   expect(team.map(({ name, colour }) => [name, colour])).toEqual([
-    ["Team 1", "red"],
-    ["Team 2", "blue"],
+    ["red", "red"],
+    ["blue", "blue"],
   ]);
 });
 
+test("a team has a name that no other team has", () => {
+  const world = divided();
+  const green = { name: "green", colour: "white" as const, robots: [] };
+  expect(newTeam(withTeams(world, [...world.team, green]), String).name).toBe("green 2");
+});
+
 test("a start is in one team at most", () => {
-  const moved = withStartIn(divided(), "start", "Team 2");
+  const moved = withStartIn(divided(), "start", "blue");
   expect(robots(moved)).toEqual([[], ["start 2", "start"]]);
-  expect(teamOf(moved, "start")).toBe("Team 2");
+  expect(teamOf(moved, "start")).toBe("blue");
   expect(robots(withStartIn(moved, "start", null))).toEqual([[], ["start 2"]]);
 });
 
@@ -47,9 +53,12 @@ test("a start that is renamed stays in its team, one that is removed leaves it",
 });
 
 test("goals follow the name of their team, and are for everybody without it", () => {
-  const world = withTeam(divided(), 0, { name: "Lions" });
-  expect(goals(world)).toEqual(["Lions", "Team 2"]);
-  expect(goals(withoutTeam(world, 0))).toEqual([null, "Team 2"]);
+  const [red, blue] = divided().team;
+  if (!red || !blue) throw new Error("no teams");
+  const world = withTeams(divided(), [{ ...red, name: "Lions" }, blue]);
+  expect(goals(world)).toEqual(["Lions", "blue"]);
+  expect(goals(withTeams(world, [blue]))).toEqual([null, "blue"]);
+  expect(goals(withTeams(world, [...world.team, newTeam(world, String)]))).toEqual(["Lions", "blue"]);
 });
 
 test("a world that is emptied has no teams", () => {

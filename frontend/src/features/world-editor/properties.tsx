@@ -11,6 +11,7 @@ import { allThings, key, type Ref, thingAt } from "../../views/world/plan/sorts"
 import type { GameValues, VaryValues, WorldValues } from "../../views/world/scenery/description";
 import { defaultsOf, type TableName } from "./fields";
 import { type Section, SectionFields } from "./form";
+import { Teams } from "./teams-form";
 import { replaced } from "./things";
 import { nameOf } from "./words";
 import type { WorldEdit } from "./world-edit";
@@ -98,6 +99,7 @@ function Properties({ draft, snaps, isMore }: Props) {
           <summary>{t("page-editor-more")}</summary>
           <div class="editor-fields">
             {fields(false)}
+            {!ref && <Teams world={world} change={(changed) => draft.change(changed)} />}
             <Tick text={t("page-editor-snap")} value={snaps.value} take={(on) => (snaps.value = on)} />
           </div>
         </details>

@@ -13,9 +13,14 @@ import { defaultsOf } from "./fields";
 const NAMES = ["white", "black", "grey", "red", "green", "blue", "yellow", "orange", "brown", "purple"] as const;
 const WHITE = "#ffffff";
 
+/** The colours that have a name. */
+export function namedSwatches(): Swatch[] {
+  return NAMES.map((name) => ({ value: name as string, shown: friendly(name), words: nameOfColour(name) }));
+}
+
 /** The colours for an object, or for the floor without one. */
 export function swatchesFor(world: WorldValues, ref: Ref | null): Swatch[] {
-  const named = NAMES.map((name) => ({ value: name as string, shown: friendly(name), words: nameOf(name) }));
+  const named = namedSwatches();
   const palette = paletteOf(world.theme, theme.value);
   if (ref?.sort === "wall") {
     const { colour } = defaultsOf("wall") as unknown as { colour: Colour };
@@ -30,6 +35,6 @@ export function swatchesFor(world: WorldValues, ref: Ref | null): Swatch[] {
   return [asTheme, { value: WHITE, shown: WHITE, words: white?.words ?? "" }, ...others];
 }
 
-function nameOf(colour: string): string {
+export function nameOfColour(colour: string): string {
   return t(`page-editor-colour-${colour}`);
 }

@@ -32,40 +32,27 @@ export function teamOf({ team }: WorldValues, start: string): string | null {
   return team.find(({ robots }) => robots.includes(start))?.name ?? null;
 }
 
-/** The world with one more team, without robots, of a colour that no other team has. */
-export function withNewTeam(world: WorldValues, stem: string): WorldValues {
-  const names = new Set(world.team.map(({ name }) => name));
-  const colours = new Set(world.team.map(({ colour }) => colour));
-  let number = world.team.length + 1;
-  while (names.has(`${stem} ${number}`)) number += 1;
-  const colour = COLOURS.find((name) => !colours.has(name)) ?? COLOURS[0];
-  return { ...world, team: [...world.team, { name: `${stem} ${number}`, colour, robots: [] }] };
+/** A team without robots, of a colour that no other team has. */
+export function newTeam({ team }: WorldValues, nameOf: (colour: string) => string): TeamValues {
+  const names = new Set(team.map(({ name }) => name));
+  const colours = new Set(team.map(({ colour }) => colour));
+  const colour = COLOURS.find((free) => !colours.has(free)) ?? COLOURS[0];
+  let name = nameOf(colour);
+  for (let number = 2; names.has(name); number++) name = `${nameOf(colour)} ${number}`;
+  return { name, colour, robots: [] };
 }
 
-/** The world with a team changed; goals follow its name. */
-export function withTeam(world: WorldValues, index: number, changed: Partial<TeamValues>): WorldValues {
-  const before = world.team[index];
-  if (!before) return world;
-  const after = { ...before, ...changed };
-  const team = world.team.map((old, i) => (i === index ? after : old));
-  return withGoalsOf({ ...world, team }, before.name, after.name);
-}
-
-/** The world without a team; its goals are for everybody. */
-export function withoutTeam(world: WorldValues, index: number): WorldValues {
-  const gone = world.team[index];
-  const team = world.team.filter((_, i) => i !== index);
-  return gone ? withGoalsOf({ ...world, team }, gone.name, null) : world;
+/** The world with other teams: goals follow a new name, and those of a missing team are for everybody. */
+export function withTeams(world: WorldValues, teams: readonly TeamValues[]): WorldValues {
+  const left = new Set(teams.map(({ name }) => name));
+  const isRenamed = teams.length === world.team.length;
+  const after = new Map(world.team.map(({ name }, i) => [name, isRenamed ? (teams[i]?.name ?? null) : null]));
+  const goal = (one: { team: string | null }) =>
+    one.team === null || left.has(one.team) ? one : { ...one, team: after.get(one.team) ?? null };
+  const lists = Object.entries(world.goal).map(([kind, goals]) => [kind, goals.map(goal)]);
+  return { ...world, team: [...teams], goal: Object.fromEntries(lists) as WorldValues["goal"] };
 }
 
 function withRobots(world: WorldValues, robots: (team: TeamValues) => string[]): WorldValues {
   return { ...world, team: world.team.map((team) => ({ ...team, robots: robots(team) })) };
-}
-
-function withGoalsOf(world: WorldValues, before: string, after: string | null): WorldValues {
-  const lists = Object.entries(world.goal).map(([kind, goals]) => [
-    kind,
-    goals.map((goal: { team: string | null }) => (goal.team === before ? { ...goal, team: after } : goal)),
-  ]);
-  return { ...world, goal: Object.fromEntries(lists) as WorldValues["goal"] };
 }
