@@ -106,7 +106,9 @@ test("the next lesson is handed out to all who are ready, with one click", async
   const all = [...stream.seats.value.values()];
   const at = (done: readonly boolean[]) => ({ lesson_name: "1-01", step: 2, begun: true, done: [...done] });
   const seats = all.map((seat, index) => ({ ...seat, ...at([true, index < 2]) }));
-  await act(() => (stream.seats.value = new Map(seats.map((seat) => [seat.id, seat]))));
+  await act(() => {
+    stream.seats.value = new Map(seats.map((seat) => [seat.id, seat]));
+  });
   fireEvent.click(screen.getByText("Turn a corner, for 2 who are ready"));
   expect(stream.sent).toEqual([{ kind: "HandOut", lesson: "1-02", project: "Turn a corner", pupils: ["p0", "p1"] }]);
   await screen.findByText("Turn a corner is open on the pages of 2 pupils.");

@@ -89,7 +89,7 @@ def _read(path: Path) -> Iterator[tuple[int, _Line]]:
             if b'"keys"' not in text:
                 continue
             try:
-                line = decode(text)
+                line = decode(text.decode())
             except UnicodeDecodeError as error:
                 not_utf_8 = Phrase("run-not-utf-8", byte=f"{error.object[error.start]:#x}")
                 raise _invalid(path, number, not_utf_8) from error

@@ -108,7 +108,7 @@ def test_a_world_is_sent_with_its_robots_once(room, desk, page):
 
 def test_a_question_is_on_the_wall_until_the_teacher_has_answered(room, desk, page):
     view = WallView()
-    asyncio.run(desk.heard(ours.AskForHelp(on=True, question=" It is too small ")))
+    asyncio.run(desk.heard(page, ours.AskForHelp(on=True, question=" It is too small ")))
     shown = next(seat for seat in seats(view, room) if seat.hand)
     assert (shown.name, shown.question) == ("Ana", "It is too small")
     assert page.told[-1].question == "It is too small"
@@ -210,6 +210,6 @@ def test_a_page_that_asks_whether_the_class_answers_wakes_no_wall(room, desk, pa
     woken = []
     room.boards = [SimpleNamespace(wake=lambda: woken.append("wall"))]
     told = len(page.told)
-    asyncio.run(desk.heard(ours.AskNews()))
+    asyncio.run(desk.heard(page, ours.AskNews()))
     assert [type(message) for message in page.told[told:]] == [ours.InClass]
     assert woken == []

@@ -97,7 +97,7 @@ def test_the_same_link_opens_the_same_project_until_that_is_changed(page, elsewh
     ("text", "reason"),
     [
         (PROGRAM, "Run the program to its end"),
-        ('main:\n    print(input("?"))\nend\n', "depended on keys or answers"),
+        ('main:\n    print(input("?"))\nend\n', "depended on keys, answers"),
     ],
 )
 def test_without_a_run_that_can_be_repeated_a_link_says_why_it_proves_nothing(page, text, reason):
