@@ -112,6 +112,10 @@ test("the next lesson is handed out to all who are ready, with one click", async
   fireEvent.click(screen.getByText("Turn a corner, for 2 who are ready"));
   expect(stream.sent).toEqual([{ kind: "HandOut", lesson: "1-02", project: "Turn a corner", pupils: ["p0", "p1"] }]);
   await screen.findByText("Turn a corner is open on the pages of 2 pupils.");
+  // Also when it is the lesson of most pupils, and the last one.
+  const moved = seats.map((seat, index) => [seat.id, index < 2 ? { ...seat, lesson_name: "1-02" } : seat] as const);
+  await act(() => (stream.seats.value = new Map(moved)));
+  screen.getByText("Turn a corner is open on the pages of 2 pupils.");
 });
 
 test("the picture of a pupil without news from the server is grey", async () => {

@@ -137,25 +137,26 @@ interface NextProps {
 
 /** Hands out the next lesson to all who have finished this one. */
 function NextLesson({ stream, seats, lesson }: NextProps) {
-  const given = useSignal(0);
+  // Then that lesson may be the one that is on.
+  const given = useSignal({ title: "", count: 0 });
   const next = nextAfter(stream.offers.value, lesson);
   const ready = readyFor(seats, lesson);
-  if (!next) return null;
-  const title = inLanguage(next.title);
-  const handOut = () => {
+  const handOut = ({ name, title }: LessonOffer) => {
+    const project = inLanguage(title);
     const pupils = ready.map(({ id }) => id);
-    if (stream.send({ kind: "HandOut", lesson: next.name, project: title, pupils })) given.value = pupils.length;
+    if (stream.send({ kind: "HandOut", lesson: name, project, pupils }))
+      given.value = { title: project, count: pupils.length };
   };
   return (
     <>
-      {ready.length > 0 && (
-        <button type="button" class="button bordered wall-next" onClick={handOut}>
+      {next && ready.length > 0 && (
+        <button type="button" class="button bordered wall-next" onClick={() => handOut(next)}>
           <Icon name="send" />
-          {t("page-class-next-lesson", { title, count: ready.length })}
+          {t("page-class-next-lesson", { title: inLanguage(next.title), count: ready.length })}
         </button>
       )}
-      <p role="status" class={given.value ? "dim" : "hidden"}>
-        {given.value > 0 && t("page-class-next-given", { title, count: given.value })}
+      <p role="status" class={given.value.count > 0 ? "dim" : "hidden"}>
+        {given.value.count > 0 && t("page-class-next-given", { ...given.value })}
       </p>
     </>
   );

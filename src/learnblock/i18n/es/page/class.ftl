@@ -149,7 +149,7 @@ page-class-next-lesson = { $title }, para { $count ->
         [one] 1 que ha acabado
        *[other] { $count } que han acabado
     }
-page-class-next-given = { $title } está abierta en las páginas de { $count ->
+page-class-next-given = La lección «{ $title }» está abierta en las páginas de { $count ->
         [one] 1 persona
        *[other] { $count } personas
     }.
