@@ -107,6 +107,7 @@ export function Tools({ stream, wall, showJoin, hintAll }: ToolsProps) {
               { text: t("page-class-hint-all"), icon: "hint", run: hintAll },
               {
                 text: t("page-class-sharing"),
+                icon: "game",
                 on: wall.sharing ?? false,
                 run: () => stream.send({ kind: "LetShareWorlds", on: !wall.sharing }),
               },
