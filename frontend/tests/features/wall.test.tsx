@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 
 import { act, fireEvent, render, screen, waitFor, within } from "@testing-library/preact";
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 
 import { ClassStream } from "../../src/features/class-page/stream";
 import { WallPage } from "../../src/features/class-page/wall";
@@ -116,6 +116,20 @@ test("the next lesson is handed out to all who are ready, with one click", async
   const moved = seats.map((seat, index) => [seat.id, index < 2 ? { ...seat, lesson_name: "1-02" } : seat] as const);
   await act(() => (stream.seats.value = new Map(moved)));
   screen.getByText("Turn a corner is open on the pages of 2 pupils.");
+});
+
+test("after the only lesson of the teacher's own is deleted, also while it is on, others can be chosen", async () => {
+  vi.stubGlobal("fetch", async () => Response.json("mine"));
+  const stream = open(["Ana"], { lesson: "mine" });
+  const lesson = { level: 1, minutes: 30, robots: [], steps: ["Run it"] };
+  const shipped = { ...lesson, name: "1-01", title: "First drive" };
+  stream.offers.value = [shipped, { ...lesson, name: "mine", title: "My own", own: true }];
+  fireEvent.click(await screen.findByText("My own"));
+  fireEvent.click(screen.getByText("Delete…"));
+  fireEvent.click(button("Delete lesson"));
+  await waitFor(() => expect(screen.queryByText("Delete lesson")).toBeNull());
+  await act(() => (stream.offers.value = [shipped]));
+  within(screen.getByRole("radiogroup", { name: "Lessons" })).getByText("First drive");
 });
 
 test("the picture of a pupil without news from the server is grey", async () => {

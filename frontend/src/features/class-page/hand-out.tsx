@@ -49,7 +49,8 @@ export function HandOutDialog({ stream, now, seats, to, close }: Props) {
   };
   const forget = () => {
     chosen.value = "";
-    if (own === 1) shelf.value = shelfOf(now);
+    // That lesson may be the one that is on.
+    if (own === 1) shelf.value = now?.own ? 1 : shelfOf(now);
   };
   // Null for all.
   const recipients = useSignal<ReadonlySet<string> | null>(to ? new Set([to]) : null);
