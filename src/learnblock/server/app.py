@@ -22,6 +22,7 @@ from learnblock.server.http import static_files
 from learnblock.server.http.address import own_address
 from learnblock.server.http.block_help import block_help
 from learnblock.server.http.classes import ClassFiles
+from learnblock.server.http.drawn import drawn
 from learnblock.server.http.palette import palette
 from learnblock.server.http.pictures import face, floor, lesson, project, tag
 from learnblock.server.http.protection import (
@@ -105,6 +106,7 @@ def _routes(
         Route("/", private(partial(_index, static, protection))),
         Route("/palette/{language}.json", private(palette), middleware=[_GZIP]),
         Route("/help/{block}.json", private(block_help), middleware=[_GZIP]),
+        Route("/drawn.json", private(drawn), middleware=[_GZIP]),
         Route("/textures/tag/{number:int}.png", private(tag)),
         Route("/textures/face/{name}.png", private(face)),
         Route("/worlds/{name}/floor.png", private(floor)),

@@ -2,6 +2,7 @@
 
 import gzip
 import json
+from urllib.parse import quote
 
 import pytest
 
@@ -78,6 +79,18 @@ def test_the_help_of_a_block_has_an_example_with_the_blocks_that_ran(server):
 
 def test_a_block_without_an_example_has_no_moving_picture(server):
     assert get(server, "/help/function.my_own.json").status == 404
+
+
+def test_a_program_in_block_text_is_sent_as_blocks(server):
+    text = quote("main:\n    function.turn(90)\nend")
+    [[main]] = json.loads(get(server, f"/drawn.json?text={text}").body)["stacks"]
+    assert main["type"] == "lb_main"
+    assert main["inputs"]["DO"]["stack"][0]["type"] == "lb_skill_turn"
+
+
+@pytest.mark.parametrize("text", ["main:\n    turn(\nend", "x = 1\n" * 1000])
+def test_a_text_with_a_mistake_or_of_many_lines_has_no_blocks(server, text):
+    assert get(server, f"/drawn.json?text={quote(text)}").status == 404
 
 
 def test_the_palette_is_cached_until_it_changes(server):

@@ -13,6 +13,7 @@ import { plain } from "../../ui/plain";
 import type { BlockSearch, FoundBlock } from "../../views/blocks/help-search";
 import { inLanguage } from "../lessons/lessons";
 import type { MarkdownPart } from "../lessons/markdown";
+import { blocksOf } from "./blocks-of";
 import { docs, matching, type Section } from "./docs";
 import "./help.css";
 
@@ -254,7 +255,7 @@ function Doc({ section: { page, heading, text } }: { section: Section }) {
     <article lang="en">
       <h3>{heading}</h3>
       {page !== heading && <p class="dim">{page}</p>}
-      {Part && <Part text={text} lesson="" drawings={{}} open={open} />}
+      {Part && <Part text={text} lesson="" drawings={{}} blocksOf={blocksOf} open={open} />}
     </article>
   );
 }

@@ -1,12 +1,14 @@
 /** Markdown of a lesson as elements: HTML in it is shown as text, and nothing is fetched from elsewhere. */
 
+import { useSignal } from "@preact/signals";
 import { lexer, type Token, type Tokens } from "marked";
 import type { ComponentChildren, FunctionComponent } from "preact";
+import { useEffect } from "preact/hooks";
 
 import { t } from "../../i18n";
 import type { Workspace } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
-import { DrawnProgram } from "./drawn-blocks";
+import { DrawnBlocks, DrawnProgram } from "./drawn-blocks";
 
 interface Props {
   readonly text: string;
@@ -14,6 +16,8 @@ interface Props {
   readonly lesson: string;
   /** The blocks of the code blocks that are drawn, by their text. */
   readonly drawings: Readonly<Record<string, Workspace>>;
+  /** Gives the blocks of a Block-Text, which are drawn beside it; null if it has none. */
+  readonly blocksOf?: (text: string) => Promise<Workspace | null>;
   /** The addresses of pictures by their names, where there is no server to ask for them. */
   readonly pictures?: Readonly<Record<string, string>>;
   /** Opens the Block-Text of a whole program as a project; nothing without it. */
@@ -95,7 +99,7 @@ function List({ list, props, depth }: { list: Tokens.List; props: Props; depth: 
   return list.ordered ? <ol start={Number(list.start) || 1}>{items}</ol> : <ul>{items}</ul>;
 }
 
-function Code({ code, props: { drawings, open } }: { code: Tokens.Code; props: Props }) {
+function Code({ code, props: { drawings, blocksOf, open } }: { code: Tokens.Code; props: Props }) {
   const source = code.text.replace(/^\n+|\n+$/g, "");
   // After the language may be the name of a file.
   const language = code.lang?.trim().split(" ")[0];
@@ -109,14 +113,50 @@ function Code({ code, props: { drawings, open } }: { code: Tokens.Code; props: P
       </DrawnProgram>
     );
   }
+  const text = (
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it
+    <pre tabIndex={0}>
+      <code>{code.text}</code>
+    </pre>
+  );
+  const isDrawn = blocksOf && language === "blocktext";
   return (
     <>
-      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it */}
-      <pre tabIndex={0}>
-        <code>{code.text}</code>
-      </pre>
+      {isDrawn ? (
+        <Example key={source} source={source} blocksOf={blocksOf}>
+          {text}
+        </Example>
+      ) : (
+        text
+      )}
       {button}
     </>
+  );
+}
+
+interface ExampleProps {
+  readonly source: string;
+  readonly blocksOf: (text: string) => Promise<Workspace | null>;
+  /** The text. */
+  readonly children: ComponentChildren;
+}
+
+/** The blocks of an example beside its text, once they are here. */
+function Example({ source, blocksOf, children }: ExampleProps) {
+  const blocks = useSignal<Workspace | null>(null);
+  useEffect(() => {
+    void blocksOf(source).then((workspace) => (blocks.value = workspace));
+  }, []);
+  return (
+    <div class="lesson-example">
+      {blocks.value && (
+        // The text says the same.
+        <div aria-hidden="true">
+          <DrawnBlocks workspace={blocks.value} text={source} />
+        </div>
+      )}
+      {children}
+    </div>
   );
 }
 
