@@ -19,6 +19,7 @@ async function begin(root: HTMLElement): Promise<void> {
     document.documentElement.dataset.theme = theme.value;
   });
   const page = compose({ drafts: NO_DRAFTS, query: "" });
+  page.askingWhy.isOff = true;
   page.context.connection.open();
   await Promise.all([startLanguage(preferredLanguage), startFonts()]);
   render(

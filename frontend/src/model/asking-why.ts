@@ -21,6 +21,8 @@ export class AskingWhy {
   readonly answer = signal<WhyAnswer | null>(null);
   /** Whether the user has asked something in this run, or its questions have been read. */
   isUsed = false;
+  /** Whether nothing can be asked: a guest sees the run of another pupil. */
+  isOff = false;
   /** Whether the questions are those about the run, rather than about a block or a moment. */
   private isWholeRun = false;
   /** Whether the questions are only those about the robot at one moment. */
@@ -53,7 +55,7 @@ export class AskingWhy {
 
   /** Whether there is a run to ask about. */
   get isPossible(): boolean {
-    return !!this.running.timeline.value?.end || this.running.active.value;
+    return !this.isOff && (!!this.running.timeline.value?.end || this.running.active.value);
   }
 
   /** Read what can be asked about the run. */
