@@ -114,7 +114,9 @@ test("the next lesson is handed out to all who are ready, with one click", async
   await screen.findByText("Turn a corner is open on the pages of 2 pupils.");
   // Also when it is the lesson of most pupils, and the last one.
   const moved = seats.map((seat, index) => [seat.id, index < 2 ? { ...seat, lesson_name: "1-02" } : seat] as const);
-  await act(() => (stream.seats.value = new Map(moved)));
+  await act(() => {
+    stream.seats.value = new Map(moved);
+  });
   screen.getByText("Turn a corner is open on the pages of 2 pupils.");
 });
 
@@ -128,7 +130,9 @@ test("after the only lesson of the teacher's own is deleted, also while it is on
   fireEvent.click(screen.getByText("Delete…"));
   fireEvent.click(button("Delete lesson"));
   await waitFor(() => expect(screen.queryByText("Delete lesson")).toBeNull());
-  await act(() => (stream.offers.value = [shipped]));
+  await act(() => {
+    stream.offers.value = [shipped];
+  });
   within(screen.getByRole("radiogroup", { name: "Lessons" })).getByText("First drive");
 });
 
