@@ -15,7 +15,8 @@ export function Hud() {
   const { context } = usePage();
   const game = context.running.telemetry.value?.game;
   if (!game || game.players.length === 0) return null;
-  const [first, ...others] = game.players;
+  // In the order of the halves in which two of them are followed.
+  const [first, ...others] = game.players.toSorted((one, other) => one.name.localeCompare(other.name));
   const left = game.time_left;
   return (
     <div class="hud" role="group" aria-label={t("page-world-game-label")}>
