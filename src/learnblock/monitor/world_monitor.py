@@ -145,7 +145,8 @@ class WorldMonitor:
         self.close()
         before = self._simulation.world
         world = World(before.description, seed=before.seed)
-        for body in self._bodies(before):
+        # In the same order, since each takes the first start that is free.
+        for body in before.robots.values():
             world.add_robot(body.description, body.name)
         self._simulation = Simulation(world)
         self._first, self._start, self._heard = self._body.pose, None, 0

@@ -12,7 +12,7 @@ from learnblock import robots
 from learnblock.devices import Base, Speaker
 from learnblock.errors import DeviceValueError, LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.monitor import make_monitor, manual_drive
+from learnblock.monitor import make_monitor, make_monitors, manual_drive
 from learnblock.monitor.sensors import QUANTITIES, Quantity
 from learnblock.monitor.world_monitor import WorldMonitor
 from learnblock.perception import detect
@@ -133,6 +133,15 @@ def test_a_reset_restores_all_initial_positions(watch):
     monitor.reset()
     assert monitor.state() == before
     assert monitor.start is None
+
+
+def test_after_a_reset_each_of_several_robots_has_its_own_start():
+    kinds = {name: robots.find("sim-thymio") for name in ("first", "second")}
+    _, monitor = make_monitors(kinds, "race")
+    before = monitor.state()
+    monitor.place(300, 300, 45)
+    monitor.reset()
+    assert monitor.state() == before
 
 
 def test_a_robot_driven_by_hand_stops_half_a_second_after_the_last_command(watch, drive):
