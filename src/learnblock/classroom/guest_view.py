@@ -86,6 +86,8 @@ class GuestView:
         async with connected(place) as server:
             self._server = server
             await self._order(messages.Open(name=project, tab=robot))
+            # A guest may come back in the middle of a run.
+            await self._order(messages.KeepKeysApart())
             parts = (self._hear(server), self._show(server), self._show_moves())
             tasks = [asyncio.create_task(part) for part in parts]
             try:

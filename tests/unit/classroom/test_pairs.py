@@ -1,15 +1,12 @@
-"""Invitations into a pupil's world, and what a guest's page gets of it."""
+"""Invitations into a pupil's world, and the guest's program before each run."""
 
 import asyncio
 from types import SimpleNamespace
 
-import msgspec
 import pytest
 
 from learnblock.classroom.desk import Desk
-from learnblock.classroom.guest_view import GuestView
 from learnblock.classroom.hand_ins import HandInShelf
-from learnblock.classroom.limits import GUEST_PICTURES
 from learnblock.classroom.pair_messages import (
     AnswerInvitation,
     AskClassmates,
@@ -19,11 +16,8 @@ from learnblock.classroom.pair_messages import (
     LeaveWorld,
 )
 from learnblock.classroom.pairs import Pairs
-from learnblock.classroom.questions import ServerQuestions
-from learnblock.classroom.quota import Paces
 from learnblock.classroom.roster import Pupil
 from learnblock.errors import LearnBlockError
-from learnblock.i18n import Phrase
 from learnblock.server import messages
 from learnblock.server.messages.base import Role
 
@@ -318,155 +312,3 @@ def test_an_invitation_without_an_answer_ends(classroom, monkeypatch):
     asyncio.run(wait())
     assert classroom.pages["Ana"].notes == ["class-pair-silence"]
     assert classroom.pages["Ben"].news.state == "alone"
-
-
-# What a server answers.
-
-
-def encoded(message):
-    return msgspec.json.encode(message).decode()
-
-
-@pytest.mark.parametrize(
-    ("texts", "answer"),
-    [
-        ([encoded(GAME)], GAME),
-        ([encoded(PROGRAM), encoded(GAME)], GAME),
-        (['{"kind":"GuestRobot","project":7}'], None),
-        ([], None),
-    ],
-)
-def test_a_server_answers_in_time_or_not(texts, answer):
-    async def ask():
-        async def send(question):
-            assert question == messages.FindGuestRobot()
-            assert all(map(questions.takes, texts))
-
-        questions = ServerQuestions(send, patience=0.01)
-        return await questions.ask(messages.FindGuestRobot(), messages.GuestRobot)
-
-    assert asyncio.run(ask()) == answer
-
-
-@pytest.mark.parametrize("text", ['{"kind":"Done","request":1}', "", "{", '{"kind":"GuestRobots"}'])
-def test_all_else_is_for_the_page(text):
-    assert not ServerQuestions(None).takes(text)
-
-
-# What a guest's page gets.
-
-
-class Socket:
-    """A page's websocket, or a server's, with what it receives."""
-
-    def __init__(self, *texts):
-        self.texts = list(texts)
-        self.sent = []
-        self.code = None
-
-    async def receive(self):
-        if self.texts:
-            return {"type": "websocket.receive", "text": self.texts.pop(0)}
-        return {"type": "websocket.disconnect"}
-
-    async def send_text(self, text):
-        self.sent.append(msgspec.json.decode(text))
-
-    async def send(self, text):
-        self.sent.append(msgspec.json.decode(text))
-
-    async def close(self, code):
-        self.code = code
-
-    async def __aiter__(self):
-        for text in self.texts:
-            yield text
-
-
-def shown(*texts):
-    """What a guest's page gets of what the host's server sends."""
-    page, lost = Socket(), []
-
-    async def lose():
-        lost.append("lost")
-
-    asyncio.run(GuestView(page, Paces(), lose)._show(Socket(*texts)))
-    return page, lost
-
-
-def test_a_guest_gets_what_shows_the_world_and_nothing_else():
-    kinds = ["Document", "Printed", "Projects", "RunState", "Variables", "Ended", "Nonsense"]
-    page, _ = shown(*(f'{{"kind":"{kind}"}}' for kind in kinds), "", "{", b"frame")
-    assert [message["kind"] for message in page.sent] == ["RunState", "Ended"]
-    assert page.code == 1012
-
-
-def test_a_guest_gets_no_message_that_is_too_large():
-    page, _ = shown(f'{{"kind":"Scene","x":"{"x" * 2_000_000}"}}', '{"kind":"Ended"}')
-    assert [message["kind"] for message in page.sent] == ["Ended"]
-
-
-def test_only_the_newest_picture_of_what_moves_counts():
-    moves = [f'{{"kind":"Telemetry","time":{i}}}' for i in range(50)]
-    page, _ = shown(*moves, '{"kind":"Ended"}')
-    assert page.sent == [{"kind": "Telemetry", "time": 49}, {"kind": "Ended"}]
-
-
-def test_pictures_have_a_rate():
-    async def show():
-        page = Socket()
-        view = GuestView(page, Paces(), None)
-        showing = asyncio.create_task(view._show_moves())
-        began = asyncio.get_running_loop().time()
-        while len(page.sent) < 4:
-            await view._see('{"kind":"Telemetry"}')
-            await asyncio.sleep(0)
-        showing.cancel()
-        return asyncio.get_running_loop().time() - began
-
-    assert asyncio.run(show()) >= 2.9 / GUEST_PICTURES
-
-
-def test_the_greeting_says_nothing_about_the_host():
-    welcome = {
-        "kind": "Welcome",
-        "version": "0",
-        "robots": [],
-        "folder": "/home/ana",
-        "worlds": [1],
-    }
-    page, _ = shown(msgspec.json.encode(welcome).decode(), '{"kind":"Welcome"')
-    assert "/home/ana" not in str(page.sent)
-    assert [message["worlds"] for message in page.sent] == [[], []]
-
-
-def test_a_project_that_cannot_be_opened_ends_the_pair():
-    failed = messages.Failed(Phrase("project-missing"), "Open")
-    assert shown(encoded(failed))[1] == ["lost"]
-    assert shown(encoded(messages.Failed(Phrase("project-missing"), "Run")))[1] == []
-
-
-@pytest.mark.parametrize(
-    ("text", "passes"),
-    [
-        ('{"kind":"HoldKeys","keys":["up"]}', True),
-        ('{"kind":"HoldKeys","keys":["up"],"x":"' + "x" * 2000 + '"}', False),
-        ('{"kind":"EditText","edit":1,"notation":"python","text":""}', False),
-        ('{"kind":"Run"}', False),
-        ('{"kind":"TakeGuest","name":"x","program":{"text":""}}', False),
-        ("", False),
-        ("{", False),
-    ],
-)
-def test_a_guest_sends_keys_and_nothing_else(text, passes):
-    page, server = Socket(text), Socket()
-    asyncio.run(GuestView(page, Paces(), None)._hear(server))
-    assert bool(server.sent) is passes
-    assert page.sent == []
-
-
-def test_a_guests_request_is_answered():
-    page, server = Socket('{"kind":"Run","request":4}'), Socket()
-    asyncio.run(GuestView(page, Paces(), None)._hear(server))
-    assert (page.sent[0]["kind"], page.sent[0]["request"]) == ("Failed", 4)
-    assert server.sent == []

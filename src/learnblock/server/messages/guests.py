@@ -46,6 +46,10 @@ class ProgramGiven(ToClass, frozen=True):
     mistakes: bool = False
 
 
+class KeepKeysApart(ForClass, frozen=True):
+    """Hold the keys of this page, a guest's, for the robot that it shows, and for no other."""
+
+
 class TakeGuest(ForClass, frozen=True):
     """Let the robot that this page of a guest shows run the guest's program; see `GuestTaken`.
 

@@ -38,6 +38,12 @@ async def _give_program(page: Page, _: messages.GiveProgram) -> None:
 
 
 @HANDLERS.add
+async def _keep_keys_apart(page: Page, _: messages.KeepKeysApart) -> None:
+    page.require_class()
+    page.session.keyboard.keep_apart(page, page.player)
+
+
+@HANDLERS.add
 async def _take_guest(page: Page, message: messages.TakeGuest) -> None:
     page.require_class()
     part, program = page.part, message.program

@@ -24,20 +24,24 @@ class SharedKeyboard:
         self._wanted: dict[Hashable, tuple[Key, ...]] = {}
         #: The keys that the user of each page holds down.
         self._pages: dict[Viewer, frozenset[Key]] = {}
-        #: The programs of guests, by their pages.
+        #: The robots that guests drive, by the guests' pages.
         self._guests: dict[Viewer, Hashable] = {}
-        #: The keys that are held for each program of a guest, and for all others.
+        #: The keys that are held for each robot of a guest, and for all others.
         self._held: Mapping[Hashable, frozenset[Key]] = {}
         self._told = messages.KeysWanted(())
 
-    def held(self, program: Hashable) -> Sequence[Key]:
-        """The keys of a program that its users hold down; called from its thread."""
-        held = self._held
-        keys = held.get(program, held.get(None, frozenset()))
+    def held(self, program: Hashable, *, is_guests: bool = False) -> Sequence[Key]:
+        """The keys of a program that its users hold down; called from its thread.
+
+        Args:
+            program: the program.
+            is_guests: whether it is a guest's, even if the guest has left.
+        """
+        keys = self._held.get(program if is_guests else None, frozenset())
         return [key for key in self._wanted.get(program, ()) if key in keys]
 
     def keep_apart(self, page: Viewer, program: Hashable) -> None:
-        """Hold the keys of a guest's page for the guest's program only, until the page leaves."""
+        """Hold the keys of a guest's page for a guest's program only, until the page leaves."""
         self._guests[page] = program
         self._renew()
 
@@ -67,11 +71,16 @@ class SharedKeyboard:
         if self._wanted:
             page.send(self._told)
 
-    def leave(self, page: Viewer) -> None:
+    def release(self, page: Viewer) -> None:
         """Release the keys that the user of a page holds down."""
-        if self._pages.pop(page, None) or self._guests.pop(page, None):
-            self._guests.pop(page, None)
+        if self._pages.pop(page, None):
             self._renew()
+
+    def leave(self, page: Viewer) -> None:
+        """Forget a page that leaves, and release its keys."""
+        self._pages.pop(page, None)
+        self._guests.pop(page, None)
+        self._renew()
 
     def _renew(self) -> None:
         groups = {None, *self._guests.values()}

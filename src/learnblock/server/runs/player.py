@@ -325,7 +325,8 @@ class Player:
         self.viewers.send(sound)
 
     def held_keys(self) -> Collection[str]:
-        return self._keyboard.held(self)
+        playing = self._playing
+        return self._keyboard.held(self, is_guests=playing is not None and playing.is_guests)
 
     def on_done(self, report: Report) -> None:
         """Report the end of the program while those of other robots continue."""

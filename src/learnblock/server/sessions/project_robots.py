@@ -271,7 +271,7 @@ class ProjectRobots:
         )
         part.join(page, player)
         # The page has forgotten which keys its user held.
-        self._project.keyboard.leave(page)
+        self._project.keyboard.release(page)
         self._project.keyboard.join(page)
 
     # Their kinds, and their world.

@@ -1,8 +1,17 @@
 """A guest's program drives a robot of the host's project, as a class asks for it."""
 
+import io
+from contextlib import contextmanager
+from types import SimpleNamespace
+
 import pytest
 
+from learnblock.running import team
+from learnblock.running.recorded_keys import read_keys_of
+from learnblock.running.team import TeamRun
+from learnblock.runtime.inline import InlineWorker
 from pages import serving
+from runs import Presser
 
 pytestmark = pytest.mark.realtime
 
@@ -12,9 +21,10 @@ STAY = "main:\n    function.sleep(0.2)\nend\n"
 DRIVE = (
     "main:\n    function.move_straight(40)\n    function.sleep(1)\n    function.stop_bot()\nend\n"
 )
+#: Drives once the key is held.
 KEY = (
     'main:\n    while not function.is_key_pressed("up"):\n        function.sleep(0.1)\n'
-    "    end\nend\n"
+    "    end\n    function.move_straight(40)\n    function.sleep(1)\nend\n"
 )
 
 
@@ -29,7 +39,7 @@ def pupil(projects):
 def host(pupil):
     """The host's page, with two robots that stay where they are."""
     with pupil.visit(at="ws?seat", max_queue=None) as page:
-        page.open("game", STAY, world="empty", robot="sim-thymio")
+        page.open(FIRST, STAY, world="empty", robot="sim-thymio")
         page.say("AddTab", robot="sim-thymio")
         page.hear("TabOpened")
         page.hear("Document")
@@ -38,16 +48,36 @@ def host(pupil):
         yield page
 
 
-@pytest.fixture
-def guest(pupil, host):
-    """The page of a guest, who drives the second robot."""
-    host.say("FindGuestRobot")
-    found = host.hear("GuestRobot")
-    assert found == {"kind": "GuestRobot", "project": "game", "tab": SECOND}
+@contextmanager
+def seated(pupil):
+    """A page of a guest, who drives the second robot."""
     with pupil.visit(at="ws?seat", max_queue=None) as page:
-        page.say("Open", name=found["project"], tab=found["tab"])
+        page.say("Open", name=FIRST, tab=SECOND)
+        page.say("KeepKeysApart")
         page.hear("Opened", tab=SECOND)
         yield page
+
+
+@pytest.fixture
+def guest(pupil, host):
+    """The page of a guest."""
+    host.say("FindGuestRobot")
+    assert host.hear("GuestRobot") == {"kind": "GuestRobot", "project": FIRST, "tab": SECOND}
+    with seated(pupil) as page:
+        yield page
+
+
+@pytest.fixture
+def recorded(monkeypatch):
+    """The jobs of a run of several robots, and its trace."""
+    kept = SimpleNamespace(jobs={}, trace=io.BytesIO())
+
+    def record(jobs, **options):
+        kept.jobs = jobs
+        return TeamRun(jobs, trace=kept.trace, **options)
+
+    monkeypatch.setattr(team, "TeamRun", record)
+    return kept
 
 
 def take(page, text, **options):
@@ -55,17 +85,34 @@ def take(page, text, **options):
     return page.hear("GuestTaken").get("fits", False)
 
 
-def distance(page):
-    """How far the robot of a page drove in a run that the host has started."""
+def end_of_run(page):
+    """How a run ends for the robot of a page, and no program of it runs any more."""
     while (ended := page.hear("Ended")).get("others"):
         pass
-    return ended["distance"]
+    return ended
+
+
+def until(page, seconds):
+    """Wait for a time of the robots' world."""
+    while page.hear("Telemetry").get("time", 0) < seconds:
+        pass
+
+
+def run_until_keys(host, guest):
+    """Let both programs wait for a key."""
+    assert take(guest, KEY)
+    host.say("OpenTab", name=FIRST)
+    host.hear("TabOpened")
+    host.hear("Document")
+    host.type(KEY, shown=2)
+    host.say("Run")
+    host.hear("KeysWanted", programs=2)
 
 
 def test_the_guests_program_runs_on_the_second_robot_until_the_guest_leaves(pupil, host, guest):
     assert take(guest, DRIVE)
     host.say("Run")
-    assert distance(guest) > 20
+    assert end_of_run(guest)["distance"] > 20
     # The host's own program of that robot is as before.
     assert host.pulse()
     host.say("OpenTab", name=SECOND)
@@ -77,7 +124,7 @@ def test_the_guests_program_runs_on_the_second_robot_until_the_guest_leaves(pupi
         host.hear("Ended")
 
 
-@pytest.mark.parametrize("tab", [FIRST, SECOND])
+@pytest.mark.parametrize("tab", [pytest.param(FIRST, marks=pytest.mark.exhaustive), SECOND])
 def test_the_host_sees_nothing_of_the_guests_program(host, guest, tab):
     assert (
         take(guest, "main:\n    secret = 7\n    function.sleep(0.3)\n    x = nothing\nend\n")
@@ -97,10 +144,10 @@ def test_the_host_sees_nothing_of_the_guests_program(host, guest, tab):
         assert host.hear("Failed")["message"]["code"] == "play-nothing-to-look-back-at"
 
 
-@pytest.mark.parametrize("program", ["main:\n    functio.sleep(1)\nend\n", "x("])
-def test_a_program_that_cannot_run_is_not_taken(host, guest, program):
-    assert not take(guest, program)
-    assert not take(guest, program, is_python=True)
+def test_a_program_that_cannot_run_is_not_taken(host, guest):
+    for program in ("main:\n    functio.sleep(1)\nend\n", "x("):
+        assert not take(guest, program)
+        assert not take(guest, program, is_python=True)
     assert host.run()["ended"] == "finished"
 
 
@@ -110,25 +157,52 @@ def test_a_guest_whose_robot_is_closed_drives_no_other(host, guest):
     assert not take(guest, DRIVE)
 
 
-def test_each_player_has_keys_of_their_own(host, guest):
-    host.type(KEY)
-    assert take(guest, KEY)
-    host.say("OpenTab", name=FIRST)
-    host.hear("TabOpened")
-    host.hear("Document")
-    host.type(KEY, shown=2)
-    host.say("Run")
-    guest.hear("KeysWanted", programs=2)
+def test_a_guest_who_leaves_during_a_run_leaves_the_robot_to_nobody(pupil, host, guest):
+    run_until_keys(host, guest)
+    guest.socket.close()
+    host.pulse()
+    host.say("HoldKeys", keys=["up"])
+    ended = host.hear("Ended")
+    assert ended["others"]
+    # The guest's program goes on, and still waits for its key.
+    until(host, ended["time"] + 5)
+    with seated(pupil) as again:
+        again.say("HoldKeys", keys=["up"])
+        assert end_of_run(again)["distance"] > 20
+
+
+@pytest.mark.certain
+def test_each_player_has_keys_of_their_own_from_which_the_run_is_repeated(
+    host, guest, recorded, tmp_path
+):
+    run_until_keys(host, guest)
+    until(guest, 0.5)
     guest.say("HoldKeys", keys=["up"])
     # The guest's program ends while the host's still waits for its key.
     assert guest.hear("Ended")["others"]
     host.say("HoldKeys", keys=["up"])
-    host.hear("RunState", state="ended")
+    sha256 = end_of_run(guest)["trace_sha256"]
+    path = tmp_path / "trace.jsonl"
+    path.write_bytes(recorded.trace.getvalue())
+    keys = read_keys_of(path, [FIRST, SECOND])
+    [(later, own)], [(sooner, guests)] = keys[FIRST].changes, keys[SECOND].changes
+    assert own == guests == ("up",)
+    # A second is the least for which the guest drives.
+    assert 0.4 < sooner < later - 1
+
+    again = TeamRun(recorded.jobs, watch=lambda name: Presser(keys[name]), worker=InlineWorker)
+    assert again.run().trace_sha256 == sha256
 
 
-def test_a_link_claims_nothing_about_a_run_with_a_guest(host, guest):
-    assert take(guest, DRIVE)
-    host.run()
+@pytest.mark.certain
+def test_the_same_programs_give_the_same_run_of_which_a_link_claims_nothing(host, guest):
+    hashes = []
+    for _ in range(2):
+        assert take(guest, DRIVE)
+        host.say("Run")
+        hashes.append(end_of_run(guest)["trace_sha256"])
+        host.hear("RunState", state="ended")
+    assert hashes[0] == hashes[1] != ""
     host.say("MakeLink")
     assert host.hear("ShareLink")["problem"]["code"] == "share-no-run-person"
 

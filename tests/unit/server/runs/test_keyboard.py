@@ -62,6 +62,37 @@ def test_a_page_that_leaves_releases_its_keys_and_no_others(keyboard, page):
     assert keyboard.held("left") == ["w"]
 
 
+def test_a_guest_drives_one_robot_only_and_nobody_else_drives_it(keyboard, page):
+    guest = Page()
+    keyboard.keep_apart(guest, "rival")
+    keyboard.want("own", ("up", "w"))
+    keyboard.want("rival", ("up", "w"))
+    keyboard.hold(page, ["up"])
+    keyboard.hold(guest, ["w"])
+    assert keyboard.held("own") == ["up"]
+    assert keyboard.held("rival", is_guests=True) == ["w"]
+    # The host tries a function of the robot's own program.
+    assert keyboard.held("rival") == ["up"]
+    keyboard.release(guest)
+    assert keyboard.held("rival", is_guests=True) == []
+    keyboard.hold(guest, ["w"])
+    assert keyboard.held("own") == ["up"]
+    assert keyboard.held("rival", is_guests=True) == ["w"]
+
+
+def test_nobody_drives_the_robot_of_a_guest_who_has_left_until_the_guest_is_back(keyboard, page):
+    guest, again = Page(), Page()
+    keyboard.want("rival", ("up",))
+    keyboard.keep_apart(guest, "rival")
+    keyboard.hold(guest, ["up"])
+    keyboard.leave(guest)
+    keyboard.hold(page, ["up"])
+    assert keyboard.held("rival", is_guests=True) == []
+    keyboard.keep_apart(again, "rival")
+    keyboard.hold(again, ["up"])
+    assert keyboard.held("rival", is_guests=True) == ["up"]
+
+
 def test_keys_held_at_the_end_of_a_run_are_not_held_in_the_next_one(keyboard, page):
     keyboard.want("left", ("up",))
     keyboard.hold(page, ["up"])
