@@ -38,16 +38,23 @@ def wall(room):
             pass
 
 
-@pytest.fixture
-def host(ana):
-    """The host's page, with two robots that stay where they are."""
-    with ana.page() as page:
+@contextmanager
+def hosting(pupil):
+    """A host's page, with two robots that stay where they are."""
+    with pupil.page() as page:
         page.open("game", STAY, world="empty", robot="sim-thymio")
         page.say("AddTab", robot="sim-thymio")
         page.hear("TabOpened")
         page.hear("Document")
         page.type(STAY)
         page.say("SetSpeed", factor=None)
+        yield page
+
+
+@pytest.fixture
+def host(ana):
+    """The host's page."""
+    with hosting(ana) as page:
         yield page
 
 
@@ -152,6 +159,8 @@ def test_nothing_is_shared_until_the_teacher_allows_it(room, host, guest, ben):
     assert room.ask(f"/p/guest-{ben.id}/", cookie=ben.cookie).status == 403
 
 
+# Also claimed, without servers, in `test_pairs.py`.
+@pytest.mark.exhaustive
 @pytest.mark.timeout(120)
 def test_the_teacher_ends_it_in_the_middle(wall, host, guest, ben):
     play(host, guest, ben)
@@ -196,8 +205,24 @@ def test_a_guest_comes_back_after_a_lost_connection_and_nobody_else_sees_the_wor
         assert noted(guest, "class-pair-left") == "Ana no longer plays with you."
 
 
-def test_invitations_that_cannot_be_made(wall, host, guest, ana, ben):
-    for pupil in (ana.id, "aaaaaaaaaa"):
+@pytest.fixture
+def dan(room):
+    """Who has invited nobody yet: invitations have a pace."""
+    return room.pupil("Dan")
+
+
+@pytest.fixture
+def dans(dan):
+    """Dan's page."""
+    with hosting(dan) as page:
+        yield page
+
+
+# Also claimed, without servers, in `test_pairs.py`.
+@pytest.mark.exhaustive
+def test_invitations_that_cannot_be_made(wall, guest, dan, dans, ben):
+    host = dans
+    for pupil in (dan.id, "aaaaaaaaaa"):
         host.say("Invite", pupil=pupil)
         refused(host, "class-pair-nobody")
     host.say("Invite", pupil="../../etc")
@@ -212,5 +237,5 @@ def test_invitations_that_cannot_be_made(wall, host, guest, ana, ben):
     refused(host, "class-pair-just-declined")
     guest.say("AnswerInvitation", on=True)
     refused(guest, "class-pair-no-invitation", "AnswerInvitation")
-    guest.say("Invite", pupil=ana.id)
+    guest.say("Invite", pupil=dan.id)
     refused(guest, "class-pair-one-robot")
