@@ -25,6 +25,12 @@ export class PaletteFlyout extends Blockly.VerticalFlyout {
     return HEAD_HEIGHT;
   }
 
+  override init(target: Blockly.WorkspaceSvg): void {
+    super.init(target);
+    // Until it was open once, Blockly hides its blocks alone, and the bar lies over the program.
+    this.workspace_.scrollbar?.setContainerVisible(false);
+  }
+
   override setVisible(visible: boolean): void {
     super.setVisible(visible);
     this.changed?.();
