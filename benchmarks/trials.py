@@ -27,10 +27,11 @@ GIVEN = Path(__file__).with_suffix(".js")
 ROUNDS = 5
 #: The robot has begun to move.
 DRIVES = "() => learnblock.context.running.telemetry.value?.time > 0.2"
-#: The robot has begun the first corner of the square, less than three seconds after the start.
+#: The robot has begun the first corner of the square, which it reaches only later with the number
+#: that was there before, 5; a page may draw nothing for seconds while its first picture is made.
 TURNS_EARLY = """() => {
     const now = learnblock.context.running.telemetry.value;
-    return now && now.time < 3 && Math.abs(now.robots[0].heading) > 10;
+    return now && now.time < 5 && Math.abs(now.robots[0].heading) > 10;
 }"""
 BLOCKS = "[data-region=blocks] .blocklySvg > .blocklyWorkspace > .blocklyBlockCanvas"
 
