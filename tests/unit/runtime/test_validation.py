@@ -53,7 +53,8 @@ class Sender:
     def __init__(self, data):
         self._socket, theirs = socket.socketpair()
         self.link = SocketLink(theirs, FromChild)
-        threading.Thread(target=self._send, args=(data,), daemon=True).start()
+        self._thread = threading.Thread(target=self._send, args=(data,), daemon=True)
+        self._thread.start()
 
     def _send(self, data):
         try:
@@ -66,8 +67,10 @@ class Sender:
         """Do nothing: it ends by itself."""
 
     def kill(self):
-        self._socket.close()
         self.link.close()
+        # The next socket may have the number of a closed one, and would be shut down.
+        self._thread.join()
+        self._socket.close()
 
     def wait(self, timeout):
         return 0
