@@ -1,8 +1,8 @@
 /** The entry point of a class's pages: joining, the teacher's wall, the projector. */
 
-import { effect } from "@preact/signals";
 import { render } from "preact";
 
+import { begin } from "./app/begin";
 import { JoinPage } from "./features/class-page/join";
 import { Joining } from "./features/class-page/joining";
 import { ProjectorPage } from "./features/class-page/projector";
@@ -11,9 +11,6 @@ import { WallPage } from "./features/class-page/wall";
 import { HandInsPage } from "./features/hand-ins/page";
 import { HandInStream } from "./features/hand-ins/stream";
 import { RecordPage } from "./features/record/page";
-import { language, startLanguage } from "./i18n";
-import { preferredLanguage, theme } from "./model/preferences";
-import { startFonts } from "./ui/fonts";
 import "./ui/theme.css";
 import "./ui/controls.css";
 import "./features/class-page/class-page.css";
@@ -27,13 +24,9 @@ function pageAt(path: string) {
   return <JoinPage joining={new Joining(new URLSearchParams(location.search).get("word") ?? "")} />;
 }
 
-async function begin(root: HTMLElement): Promise<void> {
-  effect(() => {
-    document.documentElement.lang = language.value;
-    document.documentElement.dataset.theme = theme.value;
-  });
-  await Promise.all([startLanguage(preferredLanguage), startFonts()]);
+async function show(root: HTMLElement): Promise<void> {
+  await begin();
   render(pageAt(location.pathname), root);
 }
 
-void begin(document.getElementById("page")!);
+void show(document.getElementById("page")!);

@@ -1,16 +1,14 @@
 /** The entry point of the page. */
 
-import { effect } from "@preact/signals";
 import { render } from "preact";
 
 import { App } from "./app/app";
+import { begin } from "./app/begin";
 import { compose } from "./app/compose";
 import { listen } from "./app/shortcuts";
-import { language, startLanguage, t } from "./i18n";
+import { t } from "./i18n";
 import { isHeard } from "./model/loudness";
 import { type Page, PageProvider } from "./model/page";
-import { preferredLanguage, theme } from "./model/preferences";
-import { startFonts } from "./ui/fonts";
 
 async function sound({ context, classNews, project, toasts }: Page): Promise<void> {
   const { startSound } = await import("./views/output/sound");
@@ -25,13 +23,9 @@ async function pictures(page: Page): Promise<void> {
   keepPictures(page);
 }
 
-async function begin(root: HTMLElement): Promise<void> {
-  const readable = Promise.all([startLanguage(preferredLanguage), startFonts()]);
+async function show(root: HTMLElement): Promise<void> {
+  const readable = begin();
   const page = compose();
-  effect(() => {
-    document.documentElement.lang = language.value;
-    document.documentElement.dataset.theme = theme.value;
-  });
   addEventListener("pagehide", () => page.context.program.flush());
   listen(page);
   page.context.connection.open();
@@ -64,4 +58,4 @@ function expose(page: Page): void {
 }
 
 const root = document.getElementById("page");
-if (root) void begin(root);
+if (root) void show(root);

@@ -30,6 +30,9 @@ export interface Drafts {
   left(project: string): Promise<readonly Left[]>;
 }
 
+/** For pages that show a program and do not edit it. */
+export const NO_DRAFTS: Drafts = { keep: () => {}, forget: () => {}, left: async () => [] };
+
 // Why: docs/decisions.md, "A page says which revision it edited"
 /** Keeps drafts in the browser's database. Without one, as in some private windows, it keeps nothing. */
 export class BrowserDrafts implements Drafts {

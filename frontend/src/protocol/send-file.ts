@@ -2,6 +2,9 @@
 
 import type { Phrase } from "../i18n";
 
+/** What to say if the server could not be reached. */
+export const UNSENT: Phrase = { code: "page-shell-unsent" };
+
 /** What the server says of a file: its answer, or why it refuses it; neither if it could not be reached. */
 export interface FileAnswer<Answer> {
   readonly answer?: Answer;

@@ -37,7 +37,7 @@ test("a guest's page shows the host's world, until the guest wants to see the ow
   expect(pairs.isAway.value).toBe(true);
 });
 
-test("the names of classmates are asked for anew each time", () => {
+test("the list of classmates is requested again each time", () => {
   const { connection, pairs } = open();
   pairs.ask();
   connection.tell({ kind: "Classmates", pupils: [{ id: "b", name: "Ben" }] } as never);

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 
 import { created } from "../../src/features/world-editor/creating";
-import { newTeam, teamOf, withStartIn, withTeams } from "../../src/features/world-editor/teams";
+import { newTeam, withStartIn, withTeams } from "../../src/features/world-editor/teams";
 import { added, duplicated, emptied, removed, replaced } from "../../src/features/world-editor/things";
 import { thingAt } from "../../src/views/world/plan/sorts";
 import type { WorldValues } from "../../src/views/world/scenery/description";
@@ -20,6 +20,8 @@ function divided(): WorldValues {
   return world;
 }
 
+const teamOf = ({ team }: WorldValues, start: string) =>
+  team.find(({ robots }) => robots.includes(start))?.name ?? null;
 const robots = ({ team }: WorldValues) => team.map((one) => one.robots);
 const goals = ({ goal }: WorldValues) => goal.reach.map(({ team }) => team);
 

@@ -1,21 +1,18 @@
 """Answers to requests that all pages of a class have in common."""
 
 from collections.abc import Awaitable
-from contextlib import suppress
 from http import HTTPStatus
 
 import httpx
 import msgspec
 from starlette.requests import Request
 from starlette.responses import PlainTextResponse, Response
-from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server.http import static_files
 from learnblock.server.http.bodies import body
 from learnblock.server.http.connections import network_of
-from learnblock.server.messages import Failed
 
 #: The maximum number of bytes of a request to join.
 LONGEST_BODY = 2000
@@ -29,14 +26,6 @@ async def reached(answer: Awaitable[Response]) -> Response:
         return Response(status_code=HTTPStatus.NOT_FOUND)
     except (LearnBlockError, httpx.HTTPError) as error:
         return PlainTextResponse(f"{error}\n", HTTPStatus.SERVICE_UNAVAILABLE)
-
-
-async def close_socket(socket: WebSocket, code: int, reason: Phrase | None = None) -> None:
-    """Close a page's connection, and say why; the page may have gone already."""
-    with suppress(RuntimeError, WebSocketDisconnect):
-        if reason:
-            await socket.send_text(msgspec.json.encode(Failed(reason)).decode())
-        await socket.close(code)
 
 
 def json_answer(message: msgspec.Struct | Phrase, status: int = HTTPStatus.OK) -> Response:

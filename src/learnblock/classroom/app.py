@@ -16,13 +16,11 @@ from starlette.requests import HTTPConnection, Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.websockets import WebSocket
-from websockets.exceptions import InvalidHandshake, InvalidMessage
 
 from learnblock.classroom import messages as ours
 from learnblock.classroom.answers import (
     address_of,
     came_by_https,
-    close_socket,
     forbidden,
     json_answer,
     reached,
@@ -30,12 +28,13 @@ from learnblock.classroom.answers import (
 )
 from learnblock.classroom.archive import export
 from learnblock.classroom.badges import Visitors
-from learnblock.classroom.desk import Desk, TooManyPagesError
+from learnblock.classroom.desk import Desk
 from learnblock.classroom.entrance import Entrance
 from learnblock.classroom.forward import Forwarder
 from learnblock.classroom.guest_pages import GuestPages
 from learnblock.classroom.hub_class import HubLogin
 from learnblock.classroom.lesson_uploads import LessonUploads
+from learnblock.classroom.page_sockets import FORBIDDEN, accept_socket, close_socket, served
 from learnblock.classroom.programs import class_programs
 from learnblock.classroom.record import record_of
 from learnblock.classroom.relay import Relay, no_messages
@@ -49,11 +48,8 @@ from learnblock.errors import LearnBlockError, phrase_of
 from learnblock.server.http import static_files
 from learnblock.server.http.palette import palette
 from learnblock.server.http.pictures import lesson as lesson_picture
-from learnblock.server.http.protection import SUBPROTOCOL, Guard, Protection
+from learnblock.server.http.protection import Guard, Protection
 
-#: Close codes: this browser may not be here; it has too many pages; the pupil's server is not ready
-#: yet.
-_FORBIDDEN, _TOO_MANY, _TRY_LATER = 4403, 4429, 1013
 #: Seconds for which a browser keeps a badge: a school year.
 _YEAR = 365 * 24 * 3600
 #: Goes on without what is in the address: the teacher's key, or the hub's code.
@@ -370,26 +366,18 @@ class _Door:
     async def websocket(self, socket: WebSocket) -> None:
         """Connect a page with a pupil's server."""
         shown = self._shown(socket)
-        # Always accept, because a browser doesn't tell its page why a handshake failed.
-        await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
+        await accept_socket(socket)
         if shown is None:
-            await close_socket(socket, _FORBIDDEN)
+            await close_socket(socket, FORBIDDEN)
             return
         pupil, is_teacher = shown
         desk = self._room.desk(pupil)
         try:
-            with nullcontext() if is_teacher else desk.opening():
-                place = await self._room.place(pupil)
-                first = no_messages if is_teacher else partial(self._room.first_lesson, pupil)
-                await Relay(socket, desk, is_teacher=is_teacher).serve(place, first)
-        except TooManyPagesError as error:
-            await close_socket(socket, _TOO_MANY, error.phrase)
-        except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):
-            # Its server has just ended, or is too busy to start: the page tries again by itself.
-            await close_socket(socket, _TRY_LATER)
-        except asyncio.CancelledError:
-            # The class closes, and does not wait for a page's remaining messages.
-            pass
+            async with served(socket):
+                with nullcontext() if is_teacher else desk.opening():
+                    place = await self._room.place(pupil)
+                    first = no_messages if is_teacher else partial(self._room.first_lesson, pupil)
+                    await Relay(socket, desk, is_teacher=is_teacher).serve(place, first)
         finally:
             self._room.left(pupil)
 
@@ -397,7 +385,7 @@ class _Door:
         """Show the class to the teacher."""
         await socket.accept()
         if not self._visitors.is_teacher(socket):
-            await close_socket(socket, _FORBIDDEN)
+            await close_socket(socket, FORBIDDEN)
             return
         await Board(socket, self._room, view()).serve()
 

@@ -1,31 +1,31 @@
 """The pages of guests, on which they see the world of the pupil who has invited them."""
 
-import asyncio
-from collections.abc import Awaitable, Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 
 from starlette.requests import HTTPConnection, Request
 from starlette.responses import Response
-from starlette.routing import BaseRoute, Route, WebSocketRoute
+from starlette.routing import BaseRoute
 from starlette.websockets import WebSocket
-from websockets.exceptions import InvalidHandshake, InvalidMessage
 
-from learnblock.classroom.answers import close_socket, forbidden, reached
+from learnblock.classroom.answers import forbidden, reached
 from learnblock.classroom.badges import Visitors
-from learnblock.classroom.desk import TooManyPagesError
 from learnblock.classroom.forward import Forwarder
 from learnblock.classroom.guest_view import GuestView
+from learnblock.classroom.page_sockets import (
+    FORBIDDEN,
+    TRY_LATER,
+    Endpoint,
+    accept_socket,
+    close_socket,
+    served,
+    world_routes,
+)
 from learnblock.classroom.pairs import PupilPair
 from learnblock.classroom.room import Room
-from learnblock.errors import LearnBlockError
-from learnblock.server.http.protection import SUBPROTOCOL
-
-Endpoint = Callable[[Request], Awaitable[Response]]
 
 #: The path of a guest's page; no pupil's id has such a form.
 PATH = "/p/guest-{owner}/"
-#: Close codes, as the pages of pupils have them.
-_FORBIDDEN, _TOO_MANY, _TRY_LATER = 4403, 4429, 1013
 
 
 class GuestPages:
@@ -44,10 +44,7 @@ class GuestPages:
 
     def routes(self, page: Endpoint) -> Iterator[BaseRoute]:
         """The addresses of the page, of its websocket, and of pictures of worlds."""
-        yield Route(PATH, partial(self._page, page))
-        yield WebSocketRoute(f"{PATH}ws", self._connect)
-        for folder in ("textures", "worlds"):
-            yield Route(f"{PATH}{folder}/{{path:path}}", self._file)
+        return world_routes(PATH, partial(self._page, page), self._connect, self._file)
 
     def _pair(self, request: HTTPConnection) -> PupilPair | None:
         """The pair of the guest who asks; None for everybody else."""
@@ -66,21 +63,15 @@ class GuestPages:
 
     async def _connect(self, socket: WebSocket) -> None:
         """Connect a guest's page with the host's server."""
-        await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
+        await accept_socket(socket)
         pair = self._pair(socket)
         if pair is None:
-            await close_socket(socket, _FORBIDDEN)
+            await close_socket(socket, FORBIDDEN)
             return
         try:
-            with pair.guest.opening():
-                await self._serve(socket, pair)
-        except TooManyPagesError as error:
-            await close_socket(socket, _TOO_MANY, error.phrase)
-        except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):
-            await close_socket(socket, _TRY_LATER)
-        except asyncio.CancelledError:
-            # The class closes, and does not wait for a page's remaining messages.
-            pass
+            async with served(socket):
+                with pair.guest.opening():
+                    await self._serve(socket, pair)
         finally:
             if self._room.roster.find(pair.host.pupil.id):
                 self._room.left(pair.host.pupil)
@@ -88,7 +79,7 @@ class GuestPages:
     async def _serve(self, socket: WebSocket, pair: PupilPair) -> None:
         # No server is started for a guest alone.
         if not pair.host.own_pages:
-            await close_socket(socket, _TRY_LATER)
+            await close_socket(socket, TRY_LATER)
             return
         pairs = self._room.pairs
         view = GuestView(socket, pair.guest.paces, partial(pairs.lose, pair))

@@ -13,7 +13,8 @@ from websockets.asyncio.client import ClientConnection
 from websockets.exceptions import ConnectionClosed
 
 from learnblock.classroom.limits import GUEST_KILOBYTES, GUEST_PICTURES
-from learnblock.classroom.pupil_connection import connected
+from learnblock.classroom.page_sockets import BACK_SOON, FORBIDDEN, TOO_MANY, close_socket
+from learnblock.classroom.pupil_connection import connected, send_order
 from learnblock.classroom.questions import A, ServerQuestions
 from learnblock.classroom.quota import Bucket, Paces
 from learnblock.classroom.rights import FROM_GUEST, TO_GUEST
@@ -21,8 +22,6 @@ from learnblock.classroom.servers import ServerAddress
 from learnblock.i18n import Phrase
 from learnblock.server import messages
 
-#: Close codes: the server will be back; the guest may not be here; another page shows the world.
-_BACK_SOON, _FORBIDDEN, _CROWDED = 1012, 4403, 4429
 #: Bytes of the largest message that a guest gets.
 _LARGEST = 2_000_000
 #: The limit of a message of a guest in characters.
@@ -65,15 +64,11 @@ class GuestView:
 
     async def send_away(self) -> None:
         """Close the page's connection for good."""
-        await self._close(_FORBIDDEN)
+        await close_socket(self._page, FORBIDDEN)
 
     async def replace(self) -> None:
         """Close the page's connection, since another page of the guest shows the world."""
-        await self._close(_CROWDED)
-
-    async def _close(self, code: int) -> None:
-        with suppress(RuntimeError, WebSocketDisconnect):
-            await self._page.close(code)
+        await close_socket(self._page, TOO_MANY)
 
     async def serve(self, place: ServerAddress, project: str, robot: str) -> None:
         """Show a robot of a project until the page or the host's server is gone.
@@ -99,9 +94,7 @@ class GuestView:
                 await asyncio.gather(*tasks, return_exceptions=True)
 
     async def _order(self, message: messages.Message) -> None:
-        if self._server:
-            with suppress(ConnectionClosed):
-                await self._server.send(msgspec.json.encode(message).decode())
+        await send_order(self._server, message)
 
     async def _hear(self, server: ClientConnection) -> None:
         """Pass the guest's keys on."""
@@ -122,7 +115,7 @@ class GuestView:
             async for received in server:
                 if isinstance(received, str) and not self._questions.takes(received):
                     await self._see(received)
-            await self._page.close(_BACK_SOON)
+            await self._page.close(BACK_SOON)
 
     async def _see(self, text: str) -> None:
         kind = text[len(_KIND) :].partition('"')[0] if text.startswith(_KIND) else ""

@@ -56,7 +56,7 @@ class InPair(Message, frozen=True):
 
     Args:
         allowed: whether the teacher lets pupils share worlds.
-        state: whether the pupil has invited somebody, is invited, or plays as host or guest.
+        state: whether the pupil is alone, inviting, invited, a host or a guest.
         other: the name of the other pupil.
         robot: the name of the guest's robot.
         away: whether the guest's page does not show the world at the moment.

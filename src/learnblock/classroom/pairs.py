@@ -78,6 +78,11 @@ class PupilPair:
     view: WorldPage | None = None
     lock: asyncio.Lock = field(default_factory=asyncio.Lock)
 
+    @property
+    def desks(self) -> tuple[Desk, Desk]:
+        """Both pupils."""
+        return self.host, self.guest
+
     def other(self, desk: Desk) -> Desk:
         """The other pupil."""
         return self.guest if desk is self.host else self.host
@@ -118,7 +123,7 @@ class Pairs:
 
     def of(self, desk: Desk) -> PupilPair | None:
         """The pair of a pupil, also of one who is only invited."""
-        return next((pair for pair in self._pairs if desk in (pair.host, pair.guest)), None)
+        return next((pair for pair in self._pairs if desk in pair.desks), None)
 
     def as_guest(self, pupil: str) -> PupilPair | None:
         """The pair of a guest with this id."""
@@ -252,7 +257,7 @@ class Pairs:
         self.allowed = on
         for pair in [] if on else list(self._pairs):
             await self._end(pair)
-            for desk in (pair.host, pair.guest):
+            for desk in pair.desks:
                 desk.note(Phrase("class-pair-over"))
         for desk in self._desks.values():
             desk.tell_pair()
@@ -260,7 +265,7 @@ class Pairs:
     async def lose(self, pair: PupilPair) -> None:
         """The host's project can't be opened any more."""
         await self._end(pair)
-        for desk in (pair.host, pair.guest):
+        for desk in pair.desks:
             desk.note(Phrase("class-pair-no-world"))
 
     def close(self) -> None:
@@ -352,5 +357,5 @@ class Pairs:
         return names_of(self._roster.pupils).get(desk.pupil.id, desk.pupil.name)
 
     def _tell(self, pair: PupilPair) -> None:
-        for desk in (pair.host, pair.guest):
+        for desk in pair.desks:
             desk.tell_pair()

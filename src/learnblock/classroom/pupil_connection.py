@@ -1,9 +1,13 @@
 """The connection of the class with a pupil's server, on behalf of a page."""
 
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
-from websockets.asyncio.client import connect
+import msgspec
+from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import ConnectionClosed
 
+from learnblock.server import messages
 from learnblock.server.http.protection import SEAT, SUBPROTOCOL
 
 if TYPE_CHECKING:
@@ -27,3 +31,10 @@ def connected(place: "ServerAddress") -> connect:
         open_timeout=_PATIENCE,
         ping_interval=None,
     )
+
+
+async def send_order(server: ClientConnection | None, message: messages.Message) -> None:
+    """Send a pupil's server a message of the class; nothing happens if the server has gone."""
+    if server:
+        with suppress(ConnectionClosed):
+            await server.send(msgspec.json.encode(message).decode())

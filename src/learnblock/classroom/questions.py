@@ -1,6 +1,6 @@
 """Questions of the class to a pupil's server, and their answers.
 
-A pupil may control the server: no answer may come, or one that nobody has asked for.
+A pupil may control the server, which may then not answer, or answer a question that was not asked.
 """
 
 import asyncio

@@ -14,7 +14,8 @@ from learnblock.classroom import messages as ours
 from learnblock.classroom.desk import Desk
 from learnblock.classroom.gift import Gift
 from learnblock.classroom.limits import WEIGHT
-from learnblock.classroom.pupil_connection import connected
+from learnblock.classroom.page_sockets import BACK_SOON, FORBIDDEN, close_socket
+from learnblock.classroom.pupil_connection import connected, send_order
 from learnblock.classroom.questions import A, ServerQuestions
 from learnblock.classroom.quota import Paces
 from learnblock.classroom.rights import may
@@ -26,8 +27,6 @@ from learnblock.server.messages.base import Role
 if TYPE_CHECKING:
     from learnblock.classroom.servers import ServerAddress
 
-#: Close codes: the server will be back, and the right to be here is gone.
-_BACK_SOON, _FORBIDDEN = 1012, 4403
 #: Seconds between two checks that it does.
 _HEARTBEAT = 2.0
 
@@ -88,9 +87,7 @@ class Relay:
     async def order(self, message: messages.Message) -> None:
         """Send the pupil's server a message on behalf of this page."""
         self._gift.note(message)
-        if self._server:
-            with suppress(ConnectionClosed):
-                await self._server.send(msgspec.json.encode(message).decode())
+        await send_order(self._server, message)
 
     async def ask(self, question: messages.Message, answer: type[A]) -> A | None:
         """Ask the pupil's server on behalf of this page; None without an answer."""
@@ -98,15 +95,11 @@ class Relay:
 
     async def send_away(self) -> None:
         """Close the page's connection, since it may not be here any more."""
-        await self._leave(_FORBIDDEN)
+        await close_socket(self._page, FORBIDDEN)
 
     async def restart(self) -> None:
         """Close the page's connection, since its server ends; the page connects again."""
-        await self._leave(_BACK_SOON)
-
-    async def _leave(self, code: int) -> None:
-        with suppress(RuntimeError, WebSocketDisconnect):
-            await self._page.close(code)
+        await close_socket(self._page, BACK_SOON)
 
     async def serve(self, place: "ServerAddress", first: First) -> None:
         """Pass messages on until the page or the pupil's server is gone.
@@ -232,7 +225,7 @@ class Relay:
                     await self._keep_lesson_work(received)
                 elif not self._gift.takes(received) and not self._questions.takes(received):
                     await self._page.send_text(received)
-            await self._page.close(_BACK_SOON)
+            await self._page.close(BACK_SOON)
 
     async def _to_page_ours(self) -> None:
         with suppress(WebSocketDisconnect, RuntimeError):

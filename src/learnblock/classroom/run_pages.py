@@ -1,32 +1,33 @@
 """The pages with the run of a hand-in: for the teacher, and for the pupil whose hand-in it is."""
 
 import asyncio
-from collections.abc import Awaitable, Callable, Iterator
+from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 
 from starlette.requests import HTTPConnection, Request
 from starlette.responses import Response
-from starlette.routing import BaseRoute, Route, WebSocketRoute
+from starlette.routing import BaseRoute
 from starlette.websockets import WebSocket
-from websockets.exceptions import InvalidHandshake, InvalidMessage
 
-from learnblock.classroom.answers import close_socket, forbidden, reached
+from learnblock.classroom.answers import forbidden, reached
 from learnblock.classroom.badges import Visitors
-from learnblock.classroom.desk import Desk, TooManyPagesError
+from learnblock.classroom.desk import Desk
 from learnblock.classroom.forward import Forwarder
 from learnblock.classroom.hand_in_messages import HandInRun
 from learnblock.classroom.hand_in_runs import PUPILS_PATH, TEACHERS_PATH, RunServer, beginning
+from learnblock.classroom.page_sockets import (
+    FORBIDDEN,
+    Endpoint,
+    accept_socket,
+    close_socket,
+    served,
+    world_routes,
+)
 from learnblock.classroom.relay import Relay
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import Pupil
 from learnblock.errors import LearnBlockError
-from learnblock.server.http.protection import SUBPROTOCOL
-
-Endpoint = Callable[[Request], Awaitable[Response]]
-
-#: Close codes, as the pages of pupils have them.
-_FORBIDDEN, _TOO_MANY, _TRY_LATER = 4403, 4429, 1013
 
 
 class RunPages:
@@ -46,10 +47,7 @@ class RunPages:
     def routes(self, page: Endpoint) -> Iterator[BaseRoute]:
         """The addresses of the page, of its websocket, and of pictures of worlds."""
         for path in (TEACHERS_PATH, PUPILS_PATH):
-            yield Route(path, partial(self._page, page))
-            yield WebSocketRoute(f"{path}ws", self._connect)
-            for folder in ("textures", "worlds"):
-                yield Route(f"{path}{folder}/{{path:path}}", self._file)
+            yield from world_routes(path, partial(self._page, page), self._connect, self._file)
 
     def _server(self, request: HTTPConnection) -> RunServer | None:
         """The server of who asks; None for those who may not."""
@@ -74,10 +72,10 @@ class RunPages:
 
     async def _connect(self, socket: WebSocket) -> None:
         """Connect the page with the server that runs a hand-in."""
-        await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
+        await accept_socket(socket)
         server, owner = self._server(socket), socket.path_params.get("owner")
         if server is None:
-            await close_socket(socket, _FORBIDDEN)
+            await close_socket(socket, FORBIDDEN)
             return
         whose = {} if owner is None else {"pupil": owner}
         wanted = self._room.wanted_run
@@ -86,13 +84,11 @@ class RunPages:
                 wanted, is_teacher=owner is None, **whose, **socket.query_params
             )
         except (LearnBlockError, TypeError, ValueError):
-            await close_socket(socket, _FORBIDDEN)
+            await close_socket(socket, FORBIDDEN)
             return
-        try:
+        async with served(socket):
             with self._opening(owner, pupil):
                 await self._serve(socket, server, run, pupil, is_pupils=owner is not None)
-        except TooManyPagesError as error:
-            await close_socket(socket, _TOO_MANY, error.phrase)
 
     def _opening(self, owner: str | None, pupil: Pupil) -> AbstractContextManager[None]:
         return nullcontext() if owner is None else self._room.desk(pupil).opening()
@@ -106,11 +102,5 @@ class RunPages:
         paces = self._room.desk(pupil).paces if is_pupils else None
         relay = Relay(socket, desk, is_teacher=True, paces=paces)
         relay.tell(run)
-        try:
-            async with server.page(relay, run.lesson) as place:
-                await relay.serve(place, partial(beginning, run))
-        except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):
-            await close_socket(socket, _TRY_LATER)
-        except asyncio.CancelledError:
-            # The class closes, and does not wait for a page's remaining messages.
-            pass
+        async with server.page(relay, run.lesson) as place:
+            await relay.serve(place, partial(beginning, run))

@@ -33,7 +33,7 @@ def write_page(path: Path, robots: Sequence[RobotRun], program: str, pupil: str 
         LearnBlockError: the run was not in a world that can be shown, or is too large.
         OSError: the file can't be written.
     """
-    page = run_page(robots, Titles(program, words(), (pupil or "").strip()))
+    page = run_page(robots, Titles(program, words(), pupil or ""))
     save(path, page.encode())
     print_row("report-label-page", str(path))
 

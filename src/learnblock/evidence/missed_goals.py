@@ -26,7 +26,7 @@ from learnblock.evidence.missed_games import missed_game
 from learnblock.i18n import Phrase
 from learnblock.i18n.names import goal_phrase
 from learnblock.simulator import WorldDescription
-from learnblock.simulator.game.teams import Teams
+from learnblock.simulator.game.teams import teams_of
 from learnblock.simulator.geometry import Pose
 from learnblock.simulator.goal import RobotState
 from learnblock.simulator.goal_description import (
@@ -100,10 +100,8 @@ class RunInWorld:
         robots = list(self.evidence.team)
         if team is None or self.world is None:
             return robots
-        teams = Teams(self.world)
-        for robot in robots:
-            teams.add(robot, None)
-        return [robot for robot in robots if teams.robots[robot] == team]
+        teams = teams_of(self.world, robots)
+        return [robot for robot in robots if teams[robot] == team]
 
 
 def missed_goal(run: RunInWorld, names: Sequence[str]) -> Miss | None:

@@ -4,11 +4,14 @@ import base64
 import re
 from collections.abc import Iterable
 from pathlib import PurePosixPath
+from typing import TYPE_CHECKING
 
-from learnblock.lessons.opened import OpenLesson
+if TYPE_CHECKING:
+    from learnblock.lessons.opened import OpenLesson
 
-_PICTURE = re.compile(r"!\[[^\]\n]*\]\((?:\./)?(?:pictures/)?([\w-]{1,60}\.\w{1,8})\)")
-_TYPES = {
+_PICTURE = re.compile(r"!\[[^\[\]\n]*\]\((?:\./)?(?:pictures/)?([\w-]{1,60}\.\w{1,8})\)")
+#: The types of a lesson's pictures, by the endings of their files.
+PICTURE_TYPES = {
     ".png": "image/png",
     ".jpg": "image/jpeg",
     ".jpeg": "image/jpeg",
@@ -16,7 +19,7 @@ _TYPES = {
 }
 
 
-def pictures_in(opened: OpenLesson, texts: Iterable[str]) -> dict[str, str]:
+def pictures_in(opened: "OpenLesson", texts: Iterable[str]) -> dict[str, str]:
     """The pictures that texts in Markdown show, as addresses with their data, by their names."""
     names = dict.fromkeys(name for text in texts for name in _PICTURE.findall(text))
     files = ((name, opened.files.get(f"pictures/{name}")) for name in names)
@@ -25,5 +28,5 @@ def pictures_in(opened: OpenLesson, texts: Iterable[str]) -> dict[str, str]:
 
 def _address(name: str, data: bytes) -> str:
     """The address of a picture with its data; empty if it is none that browsers show."""
-    kind = _TYPES.get(PurePosixPath(name).suffix.lower())
+    kind = PICTURE_TYPES.get(PurePosixPath(name).suffix.lower())
     return f"data:{kind};base64,{base64.b64encode(data).decode()}" if kind else ""

@@ -8,7 +8,7 @@ from learnblock.evidence.evidence import Evidence
 from learnblock.evidence.missed_goals import Miss, RunInWorld, missed_goal
 from learnblock.robots.simulated import world_of_data
 from learnblock.simulator import WorldDescription
-from learnblock.simulator.game.teams import Teams
+from learnblock.simulator.game.teams import teams_of
 from learnblock.why.recorded import Recorded
 
 
@@ -43,10 +43,8 @@ def _miss(recorded: Recorded, goals: list[str], until: float) -> Miss | None:
 
 def _own(recorded: Recorded, world: WorldDescription, names: list[str]) -> list[str]:
     """The goals without those of other teams, of which the log does not know enough."""
-    teams = Teams(world)
-    for robot in recorded.roster or ({"name": recorded.name},):
-        teams.add(str(robot["name"]), None)
-    own = teams.robots.get(recorded.name)
+    robots = [str(robot["name"]) for robot in recorded.roster] or [recorded.name]
+    own = teams_of(world, robots).get(recorded.name)
     others = {goal.name for _, _, goal in world.goal.all() if goal.team not in (None, own)}
     return [name for name in names if name not in others]
 

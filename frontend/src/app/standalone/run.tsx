@@ -7,14 +7,12 @@ import { RecordedConnection } from "../../features/standalone/connection";
 import type { RobotContent, RunContent } from "../../features/standalone/content";
 import { RecordedRun } from "../../features/standalone/recorded";
 import { RecordedWorld } from "../../features/standalone/world";
+import { NO_DRAFTS } from "../../model/drafts";
 import { type Page, PageProvider } from "../../model/page";
 import type { Scene } from "../../protocol/messages";
 import { givePalette } from "../../views/blocks/palette";
 import { compose } from "../compose";
 import { RunPage } from "./run-page";
-
-/** Nothing is edited. */
-const NO_DRAFTS = { keep: () => {}, forget: () => {}, left: async () => [] };
 
 export function showRun(content: RunContent, root: HTMLElement): void {
   const { palette, pupil, robots, title } = content;

@@ -4,13 +4,11 @@ import { useSignal } from "@preact/signals";
 
 import { type Phrase, say, t } from "../../i18n";
 import type { LessonOffer } from "../../protocol/classroom";
-import { sendFile } from "../../protocol/send-file";
+import { sendFile, UNSENT } from "../../protocol/send-file";
 import { chooseFile } from "../../ui/files";
 import { Icon } from "../../ui/icons";
 import { LARGEST, LESSON_FILES } from "../lessons/lesson-file";
 import { inLanguage } from "../lessons/texts";
-
-const UNSENT: Phrase = { code: "page-shell-unsent" };
 
 interface Props {
   readonly offers: readonly LessonOffer[];

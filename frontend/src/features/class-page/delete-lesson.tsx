@@ -4,12 +4,10 @@ import { useSignal } from "@preact/signals";
 
 import { type Phrase, say, t } from "../../i18n";
 import type { LessonOffer } from "../../protocol/classroom";
-import { deleteFile } from "../../protocol/send-file";
+import { deleteFile, UNSENT } from "../../protocol/send-file";
 import { Actions, Dialog } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
 import { inLanguage } from "../lessons/texts";
-
-const UNSENT: Phrase = { code: "page-shell-unsent" };
 
 interface Props {
   readonly lesson: LessonOffer;

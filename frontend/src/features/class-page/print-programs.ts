@@ -15,7 +15,7 @@ export async function printClass(): Promise<boolean> {
 function printed({ pupil, project, blocktext, blocks, places }: PupilProgram, title: string): PrintedProgram {
   const day = new Date().toLocaleDateString(language.value);
   return {
-    workspace: blocks ?? null,
+    workspace: blocks ?? { stacks: [], variables: [] },
     blocktext,
     places: places ?? [],
     title: pupil,

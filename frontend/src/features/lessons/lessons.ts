@@ -129,6 +129,11 @@ export class Lessons {
     return Boolean(isOpen(quiz, this.quiz.value) || isOpen(puzzle, this.puzzle.value));
   }
 
+  /** Whether the step that is shown has earned a star. */
+  get hasStar(): boolean {
+    return (this.steps.value[(this.shown.value?.step ?? 1) - 1]?.earned ?? 0) > 0;
+  }
+
   /** Whether each step that has stars has earned one. */
   get isFinished(): boolean {
     return this.steps.value.every(({ stars = 0, earned = 0 }) => stars === 0 || earned > 0);

@@ -80,7 +80,6 @@ export function useLessonMove() {
   const { lessons, context } = usePage();
   const shown = lessons.shown.value;
   if (!shown || room.value !== "narrow" || context.running.active.value) return null;
-  const isDone = (lessons.steps.value[(shown.step ?? 1) - 1]?.earned ?? 0) > 0;
-  if (isDone) return <Forward shown={shown} />;
+  if (lessons.hasStar) return <Forward shown={shown} />;
   return shown.quiz ? <CheckAnswer quiz={shown.quiz} /> : null;
 }

@@ -140,7 +140,7 @@ export function Foot({ shown }: { shown: LessonShown }) {
   );
 }
 
-/** It stands out after a run that has failed. */
+/** Highlighted after a failed run. */
 function HintButton({ shown }: { shown: LessonShown }) {
   const { lessons } = usePage();
   if (!shown.goals?.length) return null;
@@ -216,9 +216,8 @@ function StepButtons({ shown }: { shown: LessonShown }) {
 export function Forward({ shown: { step = 1, steps = [] } }: { shown: LessonShown }) {
   const { lessons, context } = usePage();
   const isActive = context.running.active.value;
-  const hasStar = (lessons.steps.value[step - 1]?.earned ?? 0) > 0;
   // Until its question is answered, a step does not invite anyone to leave it.
-  const look = hasStar ? "button filled" : lessons.isAsking ? "button dim" : "button bordered";
+  const look = lessons.hasStar ? "button filled" : lessons.isAsking ? "button dim" : "button bordered";
   if (step >= steps.length) return <Finish />;
   return (
     <button

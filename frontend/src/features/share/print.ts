@@ -14,12 +14,11 @@ const COLUMN = 400;
 const PIECE = 240;
 /** The largest size of blocks, as a share of that on the page. */
 const LARGEST = 0.7;
-const NOTHING: Workspace = { stacks: [], variables: [] };
 
 /** A program to print. */
 export interface PrintedProgram {
-  /** Null if there are none; the lines are then printed alone. */
-  readonly workspace: Workspace | null;
+  /** Without stacks, the lines are printed alone. */
+  readonly workspace: Workspace;
   readonly blocktext: string;
   /** Where its blocks are in the text. */
   readonly places: readonly Lines[];
@@ -70,8 +69,8 @@ async function rows({ workspace, blocktext, places }: PrintedProgram): Promise<H
   const [drawProgram, { slice }] = await Promise.all([loadDrawing(), import("../../views/blocks/portable-svg")]);
   const choices = { language: language.peek(), theme: "light", text: "", only: null } as const;
   const drawn: HTMLElement[] = [];
-  for (const { stack, first, lines } of linesOfStacks(workspace ?? NOTHING, blocktext, places)) {
-    const picture = stack && (await drawProgram({ ...(workspace ?? NOTHING), stacks: [stack] }, choices));
+  for (const { stack, first, lines } of linesOfStacks(workspace, blocktext, places)) {
+    const picture = stack && (await drawProgram({ ...workspace, stacks: [stack] }, choices));
     drawn.push(row(picture ? pieces(picture, slice) : [], lines, first));
   }
   return drawn;

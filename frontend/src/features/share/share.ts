@@ -29,7 +29,7 @@ export class Share {
   }
 
   /** Save the last run as a page that needs no LearnBlock; it says who made it, unless that is empty. */
-  exportRun(pupil = ""): void {
+  exportRun(pupil: string): void {
     this.page.toasts.note(t("page-share-run-making"));
     this.page.context.connection.send({ kind: "ExportRun", language: language.peek(), pupil });
   }

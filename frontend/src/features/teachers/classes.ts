@@ -5,13 +5,11 @@ import { signal } from "@preact/signals";
 import { type Phrase, t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
 import type { ClassEntry, StartClass } from "../../protocol/messages";
-import { sendFile } from "../../protocol/send-file";
+import { sendFile, UNSENT } from "../../protocol/send-file";
 import { weekday } from "../../ui/dates";
 
 /** The ending of the file of a class. */
 export const CLASS_FILE = ".lbclass";
-
-const UNSENT: Phrase = { code: "page-shell-unsent" };
 
 type Wanted = Omit<StartClass, "kind" | "request">;
 

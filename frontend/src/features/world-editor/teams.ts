@@ -27,11 +27,6 @@ export function withStartIn(world: WorldValues, start: string, team: string | nu
   });
 }
 
-/** The team that a start is in. */
-export function teamOf({ team }: WorldValues, start: string): string | null {
-  return team.find(({ robots }) => robots.includes(start))?.name ?? null;
-}
-
 /** A team without robots, of a colour that no other team has. */
 export function newTeam({ team }: WorldValues, nameOf: (colour: string) => string): TeamValues {
   const names = new Set(team.map(({ name }) => name));

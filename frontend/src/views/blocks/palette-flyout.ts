@@ -27,7 +27,8 @@ export class PaletteFlyout extends Blockly.VerticalFlyout {
 
   override init(target: Blockly.WorkspaceSvg): void {
     super.init(target);
-    // Until it was open once, Blockly hides its blocks alone, and the bar lies over the program.
+    // Before it has been opened for the first time, Blockly hides the blocks but not the scrollbar, which would cover a
+    // part of the program.
     this.workspace_.scrollbar?.setContainerVisible(false);
   }
 

@@ -10,16 +10,10 @@ from starlette.responses import PlainTextResponse, Response
 
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.lessons.lesson_pictures import PICTURE_TYPES
 
 #: What a picture of a lesson may fetch or run.
 _NOTHING = "default-src 'none'; style-src 'unsafe-inline'; sandbox"
-#: The types of a lesson's pictures, by the endings of their files.
-_LESSON_TYPES = {
-    ".png": "image/png",
-    ".jpg": "image/jpeg",
-    ".jpeg": "image/jpeg",
-    ".svg": "image/svg+xml",
-}
 #: Tags and faces never change.
 _WEEK = "private, max-age=604800"
 
@@ -48,7 +42,7 @@ async def project(folder: Path, request: Request) -> Response:
 async def lesson(request: Request) -> Response:
     """``lessons/1-first-drive/pictures/start.png``; nothing in an SVG is run or fetched."""
     name, file = request.path_params["name"], request.path_params["file"]
-    media_type = _LESSON_TYPES.get(PurePath(file).suffix.lower())
+    media_type = PICTURE_TYPES.get(PurePath(file).suffix.lower())
     if media_type is None:
         return PlainTextResponse(f"{Phrase('server-no-picture')}\n", 404)
     answer = await _answer(partial(_lesson, name, file), "no-cache", media_type)

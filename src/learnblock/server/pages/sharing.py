@@ -40,7 +40,7 @@ async def _export_run(page: Page, message: messages.ExportRun) -> None:
         from learnblock.server.runs.take_home import RobotRun, Titles, run_page  # noqa: PLC0415 - the page opens before
 
         robots = [RobotRun(looking.log, document, kind) for looking, document, kind in runs]
-        return run_page(robots, Titles(name, message.language, message.pupil.strip())).encode()
+        return run_page(robots, Titles(name, message.language, message.pupil)).encode()
 
     page.send(messages.RunExported(f"{name}.html", await to_thread.run_sync(write)))
 

@@ -84,10 +84,7 @@ def run_content(robots: Sequence[RobotRun], titles: Titles, begin: float = 0.0) 
     shown = [(robot, recorded) for robot, recorded in all_recorded if "world" in recorded.robot]
     if not shown:
         raise LearnBlockError("take-home-no-world")
-    for robot, recorded in shown:
-        if recorded.program.identity != robot.document.program(titles.program).identity:
-            raise LearnBlockError("take-home-changed")
-    looks = [_looking(robot, recorded) for robot, recorded in shown]
+    looks = [_looking(robot, recorded, titles.program) for robot, recorded in shown]
     timelines = [_from(begin, looking.timeline()) for looking in looks]
     interval = _interval(timelines)
     contents = [
@@ -98,7 +95,7 @@ def run_content(robots: Sequence[RobotRun], titles: Titles, begin: float = 0.0) 
         "kind": "run",
         "language": titles.language,
         "title": titles.program,
-        "pupil": titles.pupil,
+        "pupil": titles.pupil.strip(),
         "palette": palette(all_configurations(), titles.language),
         "scene": scene_of(shown[0][1]),
         "states": shared_states(contents),
@@ -106,10 +103,16 @@ def run_content(robots: Sequence[RobotRun], titles: Titles, begin: float = 0.0) 
     }
 
 
-def _looking(robot: RobotRun, recorded: Recorded) -> Looking:
-    document = robot.document
-    now = document.program(recorded.program.name).python
-    blocks = [document.block_at(line) for line in lines_now(recorded.program.python, now)]
+def _looking(robot: RobotRun, recorded: Recorded, name: str) -> Looking:
+    """Looks back at a robot's run.
+
+    Raises:
+        LearnBlockError: the run was of another program.
+    """
+    then, now = recorded.program, robot.document.program(name)
+    if then.identity != now.identity:
+        raise LearnBlockError("take-home-changed")
+    blocks = [robot.document.block_at(line) for line in lines_now(then.python, now.python)]
     return Looking(robot.log, blocks)
 
 

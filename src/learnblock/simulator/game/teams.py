@@ -1,6 +1,6 @@
 """The teams of a world: which robot plays for which, and the check of their file."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from learnblock.errors import UnknownNameError
 from learnblock.i18n import Phrase
@@ -34,6 +34,14 @@ class Teams:
     def robots(self) -> Mapping[str, str]:
         """The team of each robot; "" for a robot without one."""
         return self._robots
+
+
+def teams_of(world: WorldFile, robots: Iterable[str]) -> Mapping[str, str]:
+    """The team of each robot, if they take the starts in their order; "" for none."""
+    teams = Teams(world)
+    for robot in robots:
+        teams.add(robot, None)
+    return teams.robots
 
 
 def check_teams(world: WorldFile) -> Iterator[FileMistake]:
