@@ -3,7 +3,7 @@
 pytest-timeout ends a test after ``timeout`` seconds (pyproject.toml, or its marker). This adds the
 stacks of all threads to its report, and the names of the processes that the test started, which are
 ended. Each try of a test and each clean-up has the whole time. A worker that hangs where no signal
-reaches it ends ``GRACE`` seconds later, again with the stacks of all threads.
+reaches it ends ``GRACE`` seconds after both, again with the stacks of all threads.
 """
 
 import contextlib
@@ -47,13 +47,16 @@ def pytest_collection_modifyitems(items):
 def pytest_timeout_set_timer(item, settings):
     """Note the limit; the plugin's own timer, which comes next, does the work."""
     item.stash[LIMIT] = settings
-    errors = item.config.stash[ERRORS]
-    faulthandler.dump_traceback_later(settings.timeout + GRACE, exit=True, file=errors)
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_setup(item):
     _restart(item)
+    if settings := item.stash.get(LIMIT, None):
+        # Once for a try and its clean-up: each call starts a thread, which thousands of tests feel.
+        seconds = 2 * settings.timeout + GRACE
+        errors = item.config.stash[ERRORS]
+        faulthandler.dump_traceback_later(seconds, exit=True, file=errors)
 
 
 @pytest.hookimpl(tryfirst=True)

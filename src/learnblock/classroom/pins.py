@@ -18,7 +18,7 @@ LENGTH = 4
 Pictures = Annotated[tuple[Picture, ...], msgspec.Meta(min_length=LENGTH, max_length=LENGTH)]
 
 #: RFC 7914's parameters for interactive logins: 16 MB and some hundredths of a second for a try.
-_COST = {"n": 2**14, "r": 8, "p": 1}
+COST = {"n": 2**14, "r": 8, "p": 1}
 
 
 # Why: docs/decisions.md, "Pictures instead of passwords"
@@ -50,4 +50,4 @@ def new_pictures() -> tuple[Picture, ...]:
 
 
 def _hashed(salt: str, pictures: Sequence[Picture]) -> str:
-    return hashlib.scrypt(" ".join(pictures).encode(), salt=salt.encode(), **_COST).hex()
+    return hashlib.scrypt(" ".join(pictures).encode(), salt=salt.encode(), **COST).hex()

@@ -3,6 +3,16 @@
 import pytest
 
 from classes import opened
+from learnblock.classroom import pins
+
+
+@pytest.fixture(autouse=True, scope="session")
+def quick_pins():
+    """Hash PINs at the least cost, as these tests make hundreds; the value is the real cost."""
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        real = pins.COST
+        monkeypatch.setattr(pins, "COST", {**real, "n": 2})
+        yield real
 
 
 @pytest.fixture(scope="module")

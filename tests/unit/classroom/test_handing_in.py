@@ -220,10 +220,12 @@ def checked_in(roster, shelf, *, kill=False):
     """A check without a page; what went wrong."""
 
     async def check():
-        checking = Checking(roster, shelf, lambda: None)
+        changed = asyncio.Event()
+        checking = Checking(roster, shelf, changed.set)
         checking.start(LESSON, STEP)
         while kill and not (checking.running and checking.running.news.total):
-            await asyncio.sleep(0)
+            await changed.wait()
+            changed.clear()
             assert checking.running, checking.failure
         if kill:
             checking._process.kill()

@@ -2,7 +2,16 @@
 
 import pytest
 
+from learnblock.server.runs import playing
 from pages import SOON, serving
+
+
+@pytest.fixture(autouse=True, scope="session")
+def no_memory_given_back():
+    """Leave the memory of a run to Python, whose search takes long among all tests' objects."""
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        monkeypatch.setattr(playing, "give_back_memory", lambda is_freed: None)
+        yield
 
 
 @pytest.fixture
