@@ -135,22 +135,6 @@ class WorldMonitor:
         fastest_turn = math.degrees(2 * wheels.maximum_speed / wheels.track)
         self._drive.command(advance * wheels.maximum_speed, rotation * fastest_turn)
 
-    def reset(self) -> None:
-        """Reset all objects to their initial positions.
-
-        Raises:
-            LearnBlockError: a program runs in this world.
-        """
-        self._require_no_program()
-        self.close()
-        before = self._simulation.world
-        world = World(before.description, seed=before.seed)
-        # In the same order, since each takes the first start that is free.
-        for body in before.robots.values():
-            world.add_robot(body.description, body.name)
-        self._simulation = Simulation(world)
-        self._first, self._start, self._heard = self._body.pose, None, 0
-
     def found(self) -> tuple[Seen, ...] | None:
         return found(self._client.detected) if self._client else None
 

@@ -1,7 +1,6 @@
 """The monitor of a simulated robot."""
 
 import threading
-from functools import partial
 
 import cv2
 import msgspec
@@ -12,7 +11,7 @@ from learnblock import robots
 from learnblock.devices import Base, Speaker
 from learnblock.errors import DeviceValueError, LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.monitor import make_monitor, make_monitors, manual_drive
+from learnblock.monitor import make_monitor, manual_drive
 from learnblock.monitor.sensors import QUANTITIES, Quantity
 from learnblock.monitor.world_monitor import WorldMonitor
 from learnblock.perception import detect
@@ -126,24 +125,6 @@ def test_a_robot_starts_at_the_given_pose(watch):
     assert pose(monitor) == monitor.start == (50, 60, -90)
 
 
-def test_a_reset_restores_all_initial_positions(watch):
-    monitor = watch(world="line-and-box")
-    before = monitor.state()
-    monitor.place(300, 300, 45)
-    monitor.reset()
-    assert monitor.state() == before
-    assert monitor.start is None
-
-
-def test_after_a_reset_each_of_several_robots_has_its_own_start():
-    kinds = {name: robots.find("sim-thymio") for name in ("first", "second")}
-    _, monitor = make_monitors(kinds, "race")
-    before = monitor.state()
-    monitor.place(300, 300, 45)
-    monitor.reset()
-    assert monitor.state() == before
-
-
 def test_a_robot_driven_by_hand_stops_half_a_second_after_the_last_command(watch, drive):
     monitor = watch("sim-cozmo", "empty")
     hand = drive(monitor, 0.5, 0)
@@ -166,15 +147,13 @@ def test_a_turn_by_hand_is_clockwise_when_positive_and_ends_with_the_monitor(wat
     assert not hand.is_alive()
 
 
-def test_driving_and_resetting_are_refused_while_a_program_runs(watch):
+def test_driving_by_hand_is_refused_while_a_program_runs(watch):
     with Ebo(world="empty") as robot:
         monitor = WorldMonitor.of(robot)
-        for refused in (partial(monitor.drive, 1, 0), monitor.reset):
-            with pytest.raises(LearnBlockError) as error:
-                refused()
-            assert error.value.phrase.code == "monitor-program-running"
+        with pytest.raises(LearnBlockError) as error:
+            monitor.drive(1, 0)
+        assert error.value.phrase.code == "monitor-program-running"
     monitor.drive(0, 0)
-    monitor.reset()
     monitor.close()
 
 
