@@ -100,7 +100,22 @@ test("work is ready when all steps are done or it is handed in", () => {
     seat("c", { steps: 2, done: [true, false] }),
     seat("d"),
   ];
-  expect(ids(finishedWork(class7b))).toEqual(["a", "b"]);
+  expect(ids(finishedWork(class7b).map(({ seat }) => seat))).toEqual(["a", "b"]);
+});
+
+test("what is to be handed back comes first, also what pupils have left behind", () => {
+  const done = { steps: 2, done: [true, true] };
+  const class7b = [seat("a", done), seat("b", { hand_in: "to mark" }), seat("c", { ...done, hand_in: "handed back" })];
+  const left = (pupil: string, step: number) => ({ pupil, lesson: "one", title: "One", step });
+  const work = finishedWork(class7b, [left("c", 2), left("gone", 1), left("a", 1)]);
+  const shown = work.map(({ seat, isToMark, left }) => [seat.id, isToMark, left?.step]);
+  expect(shown).toEqual([
+    ["b", true, undefined],
+    ["c", true, 2],
+    ["a", true, 1],
+    ["a", false, undefined],
+    ["c", false, undefined],
+  ]);
 });
 
 test("pupils are ready for the next lesson once all steps are done, or the last one is handed in", () => {

@@ -167,3 +167,25 @@ test("who has handed in is to be marked, also while asking for help", async () =
   stream.seats.value = new Map([["p0", { ...seat, hand_in: "handed back" }]]);
   await waitFor(() => screen.getByText("finished"));
 });
+
+test("work that a pupil has left behind stays in the hand-ins with its lesson, and what is not shown is counted", async () => {
+  const stream = open(["Ana", "Leo"]);
+  const seat = { id: "p0", name: "Ana", lesson_name: "two", step: 1, all_stars: 4 };
+  const left = { pupil: "p0", title: "A square", tries: 7 };
+  await act(() => {
+    stream.seats.value = new Map([...stream.seats.value, ["p0", seat]]);
+    stream.waiting.value = {
+      kind: "WaitingHandIns",
+      hand_ins: [
+        { ...left, lesson: "one", step: 4 },
+        { ...left, lesson: "two", step: 2 },
+      ],
+      more: 6,
+    };
+  });
+  const list = within(screen.getByRole("region", { name: "Hand-ins" }));
+  const rows = list.getAllByRole("row").map(({ textContent }) => textContent);
+  expect(rows.slice(1)).toEqual(["AnaA square, step 4–7to mark", "Anastep 20 of 47to mark"]);
+  list.getByText("1 of 2");
+  list.getByText("and 6 more");
+});

@@ -214,6 +214,36 @@ class HandInSteps(Message, frozen=True):
     failure: Phrase | None = None
 
 
+class WaitingHandIn(Struct, frozen=True, omit_defaults=True):
+    """A hand-in that waits to be handed back, for the wall.
+
+    Args:
+        pupil: the id of the pupil.
+        lesson: the name of the lesson.
+        title: of the lesson.
+        step: the number of the step.
+        tries: how often the pupil has run it.
+    """
+
+    pupil: str
+    lesson: str
+    title: LessonText
+    step: int
+    tries: int = 0
+
+
+class WaitingHandIns(Message, frozen=True):
+    """What waits to be handed back, except for the work in the steps that pupils have open.
+
+    Args:
+        hand_ins: the newest first.
+        more: how many there are besides.
+    """
+
+    hand_ins: tuple[WaitingHandIn, ...] = ()
+    more: int = 0
+
+
 class HandInLine(Struct, frozen=True, omit_defaults=True):
     """A hand-in in the list.
 
@@ -329,4 +359,4 @@ class ShownHandIn(Message, frozen=True):
 FromHandInPages = (
     ReadHandIns | ReadHandIn | CollectHandIns | CheckHandIns | EndChecking | MarkHandIn | HandBack
 )
-ToHandInPages = HandInSteps | HandInList | ShownHandIn
+ToHandInPages = HandInSteps | HandInList | ShownHandIn | WaitingHandIns

@@ -26,6 +26,8 @@ from learnblock.server.messages import GivenProgram
 
 #: The teacher's last notes that are offered again.
 _MOST_NOTES = 6
+#: The hand-ins that the wall lists besides those in open steps.
+_MOST_WAITING = 100
 #: The pupils who miss the same before it counts as a common mistake.
 _COMMON = 2
 
@@ -87,6 +89,24 @@ class Marking:
             checking=_progress(self.checking.running),
             failure=self.checking.failure,
         )
+
+    def waiting(self, places: Mapping[str, tuple[str, int]]) -> ours.WaitingHandIns:
+        """What waits to be handed back, except for the work in the steps that are open.
+
+        Args:
+            places: the lesson and the step that each pupil has open, by the pupils' ids.
+        """
+        hand_ins = [
+            (file.at, _waiting(pupil.id, lesson, file))
+            for pupil in self._roster.pupils
+            for place, file in self._shelf.of_pupil(pupil.id).items()
+            if file.waits and place != places.get(pupil.id)
+            # What the page with the hand-ins does not list can't be handed back.
+            if (lesson := self._lesson(place[0])) and place[1] in lesson.steps
+        ]
+        hand_ins.sort(key=lambda hand_in: -hand_in[0])
+        newest = tuple(hand_in for _, hand_in in hand_ins[:_MOST_WAITING])
+        return ours.WaitingHandIns(newest, more=len(hand_ins) - len(newest))
 
     def listed(self, lesson: str, step: int) -> ours.HandInList:
         """The hand-ins of a step.
@@ -246,6 +266,11 @@ def _step(
         to_mark=counts["to mark"],
         marked=counts["marked"],
     )
+
+
+def _waiting(pupil: str, lesson: TaughtLesson, file: HandInFile) -> ours.WaitingHandIn:
+    work = file.work
+    return ours.WaitingHandIn(pupil, work.lesson, lesson.title, work.step, work.tries)
 
 
 def _line(pupil: str, name: str, file: HandInFile) -> ours.HandInLine:

@@ -9,7 +9,7 @@ import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from learnblock.classroom import messages as ours
-from learnblock.classroom.hand_in_messages import HandInSteps
+from learnblock.classroom.hand_in_messages import HandInSteps, WaitingHandIns
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import MORE, names_of
 from learnblock.classroom.teaching import do
@@ -97,6 +97,7 @@ class WallView:
         self._seats: dict[str, ours.Seat] = {}
         self._scenes: dict[str, int] = {}
         self._marking = MarkingView()
+        self._waiting: WaitingHandIns | None = None
 
     def news(self, room: Room) -> Iterator[msgspec.Struct]:
         """What has changed since the last time."""
@@ -123,6 +124,11 @@ class WallView:
         if changed := [seat for seat in seats.values() if known.get(seat.id) != seat]:
             yield ours.Seats(tuple(_news(seat, known.get(seat.id)) for seat in changed))
         self._seats = seats
+        places = {pupil: desk.progress.place for pupil, desk in desks.items()}
+        waiting = room.marking.waiting(places)
+        if waiting != self._waiting:
+            self._waiting = waiting
+            yield waiting
         yield from self._marking.news(room)
 
 

@@ -5,15 +5,23 @@ from types import SimpleNamespace
 
 import pytest
 
+from learnblock.classroom import marking
 from learnblock.classroom import messages as ours
-from learnblock.classroom.hand_in_messages import HandInSteps
+from learnblock.classroom.hand_in_messages import HandBack, HandInSteps, WaitingHandIns
 from learnblock.classroom.pupil_folder import HOME
 from learnblock.classroom.room import Room
 from learnblock.classroom.roster import Roster
 from learnblock.classroom.teaching import do
 from learnblock.classroom.wall import WallView
 from learnblock.server.catalog import copy_lesson, find_lesson
-from learnblock.server.messages import AtSeat, Scene, StartLesson, Work
+from learnblock.server.messages import (
+    AtSeat,
+    GivenProgram,
+    GivenWork,
+    Scene,
+    StartLesson,
+    Work,
+)
 from learnblock.server.messages.base import Role
 
 pytestmark = pytest.mark.realtime
@@ -72,7 +80,8 @@ def seats(view, room):
 def test_lessons_are_offered_once_and_pupils_are_told_when_they_change(room, desk, page):
     view = WallView()
     first = list(view.news(room))
-    assert [type(message) for message in first] == [ours.Offers, ours.Wall, ours.Seats, HandInSteps]
+    kinds = [ours.Offers, ours.Wall, ours.Seats, WaitingHandIns, HandInSteps]
+    assert [type(message) for message in first] == kinds
     assert list(view.news(room)) == []
     desk.see(page, AtSeat(Work("square")))
     assert [(seat.id, seat.project) for seat in seats(view, room)] == [(desk.pupil.id, "square")]
@@ -144,6 +153,51 @@ def test_a_lesson_for_one_of_many_pupils_is_not_the_lesson_of_the_class(room, de
     assert (room.lesson, room.began) == ("", 0.0)
     asyncio.run(do(room, ours.HandOut(LESSON, "A square", pupils=(desk.pupil.id, other))))
     assert room.lesson == LESSON
+
+
+def waiting(room):
+    """What waits to be handed back, as a wall that is opened now shows it."""
+    [shown] = [message for message in WallView().news(room) if isinstance(message, WaitingHandIns)]
+    return shown
+
+
+def works_at(desk, page, lesson, step):
+    """Let a pupil have a step open."""
+    desk.see(page, AtSeat(Work(lesson_name=lesson, step=step)))
+
+
+def test_work_that_was_handed_in_waits_while_its_pupil_does_the_next_lesson(room, desk, page):
+    works_at(desk, page, LESSON, 4)
+    program = GivenProgram("main:\nend\n")
+    asyncio.run(desk.hand_in(GivenWork(LESSON, 4, program, tries=3)))
+    assert waiting(room) == WaitingHandIns()
+    following = ours.HandOut("1-04-feelings", "Feelings", pupils=(desk.pupil.id,))
+    asyncio.run(do(room, following))
+    assert page.orders == [StartLesson("1-04-feelings", "Feelings")]
+    works_at(desk, page, "1-04-feelings", 1)
+    [left] = waiting(room).hand_ins
+    assert (left.pupil, left.lesson, left.step, left.tries) == (desk.pupil.id, LESSON, 4, 3)
+    assert left.title["en"] == "A square with a loop"
+    asyncio.run(do(room, HandBack(LESSON, 4, (desk.pupil.id,))))
+    assert waiting(room) == WaitingHandIns()
+
+
+def test_the_newest_of_much_work_that_waits_is_on_the_wall_and_the_rest_is_counted(
+    room, desk, page, monkeypatch
+):
+    monkeypatch.setattr(marking, "_MOST_WAITING", 2)
+    other = room.roster.pupils[1].id
+    for pupil, step in ((desk.pupil.id, 2), (other, 4), (desk.pupil.id, 5)):
+        room.hand_ins.add(pupil, GivenWork(LESSON, step, GivenProgram("main:\nend\n")))
+    works_at(desk, page, LESSON, 1)
+    shown = waiting(room)
+    assert [(left.pupil, left.step) for left in shown.hand_ins] == [(desk.pupil.id, 5), (other, 4)]
+    assert shown.more == 1
+
+
+def test_work_of_a_lesson_that_is_gone_can_not_be_handed_back(room, desk):
+    room.hand_ins.add(desk.pupil.id, GivenWork("gone", 1, GivenProgram("main:\nend\n")))
+    assert waiting(room) == WaitingHandIns()
 
 
 def test_the_wall_tells_pupils_of_one_name_apart_by_numbers(room):

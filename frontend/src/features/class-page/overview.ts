@@ -1,7 +1,7 @@
 /** What the wall says of the class as a whole. */
 
-import type { LessonOffer, MissedCheck, Seat } from "../../protocol/classroom";
-import { stateOf } from "./states";
+import type { LessonOffer, MissedCheck, Seat, WaitingHandIn } from "../../protocol/classroom";
+import { isToMark, stateOf } from "./states";
 
 /** Of how many pupils a mistake is a common one. */
 const COMMON = 2;
@@ -82,11 +82,29 @@ export function readyFor(seats: readonly Seat[], { name, steps }: LessonOffer): 
   });
 }
 
-/** The work that is ready to be looked at: what is handed in, and lessons that are done. */
-export function finishedWork(seats: readonly Seat[]): Seat[] {
-  return seats
+/** A line of the list of hand-ins. */
+export interface FinishedWork {
+  readonly seat: Seat;
+  /** Whether the teacher has to hand it back. */
+  readonly isToMark: boolean;
+  /** The hand-in, if it is not that of the step that the pupil has open. */
+  readonly left?: WaitingHandIn;
+}
+
+/**
+ * The work that is ready to be looked at: what is to be handed back, first in open steps and then what pupils have
+ * left behind, the newest first; last the lessons that are done.
+ */
+export function finishedWork(seats: readonly Seat[], leftBehind: readonly WaitingHandIn[] = []): FinishedWork[] {
+  const ready = seats
     .filter(
       ({ hand_in, steps = 0, done = [] }) => hand_in || (steps > 0 && done.length === steps && done.every(Boolean)),
     )
-    .sort((one, other) => (one.name ?? "").localeCompare(other.name ?? ""));
+    .sort((one, other) => (one.name ?? "").localeCompare(other.name ?? ""))
+    .map((seat) => ({ seat, isToMark: isToMark(seat) }));
+  const left = leftBehind.flatMap((left) => {
+    const seat = seats.find(({ id }) => id === left.pupil);
+    return seat ? [{ seat, isToMark: true, left }] : [];
+  });
+  return [...ready.filter((work) => work.isToMark), ...left, ...ready.filter((work) => !work.isToMark)];
 }

@@ -3,11 +3,11 @@
 import { useSignal } from "@preact/signals";
 
 import { t } from "../../i18n";
-import type { LessonOffer, Seat } from "../../protocol/classroom";
+import type { LessonOffer, Seat, WaitingHandIn } from "../../protocol/classroom";
 import { Icon, type IconName } from "../../ui/icons";
 import { inLanguage } from "../lessons/texts";
-import { commonMistake, finishedWork, nextAfter, placesIn, readyFor, waiting } from "./overview";
-import { isToMark, minutes, STATE_ICONS, stateOf } from "./states";
+import { commonMistake, type FinishedWork, finishedWork, nextAfter, placesIn, readyFor, waiting } from "./overview";
+import { minutes, STATE_ICONS, stateOf } from "./states";
 import type { ClassStream } from "./stream";
 import { findingInWords, pageOf } from "./tile";
 import { missedInWords } from "./words";
@@ -28,7 +28,7 @@ export function Side({ stream, seats, lesson, handOut }: Props) {
     <aside class="wall-side" aria-label={t("page-class-side")} data-wall-region>
       <Waiting seats={seats} />
       <Where stream={stream} seats={seats} lesson={lesson} handOut={handOut} />
-      <HandIns seats={seats} />
+      <HandIns stream={stream} seats={seats} />
     </aside>
   );
 }
@@ -174,48 +174,74 @@ function Bar({ text, count, most, isDim = false }: { text: string; count: number
   );
 }
 
-function HandIns({ seats }: Pick<Props, "seats">) {
-  const all = finishedWork(seats);
+function HandIns({ stream, seats }: Pick<Props, "stream" | "seats">) {
+  const { hand_ins = [], more = 0 } = stream.waiting.value;
+  const all = finishedWork(seats, hand_ins);
+  const pupils = new Set(all.map(({ seat }) => seat.id)).size;
+  const others = Math.max(0, all.length - MOST_FINISHED) + more;
   return (
     <section class="wall-card" aria-label={t("page-class-hand-ins")}>
       <Title
         icon="handedIn"
         text={t("page-class-hand-ins")}
-        more={t("page-class-some-of", { count: all.length, all: seats.length })}
+        more={t("page-class-some-of", { count: pupils, all: seats.length })}
       />
-      {all.length === 0 ? (
-        <p class="dim">{t("page-class-no-hand-ins")}</p>
-      ) : (
-        <table class="wall-hand-ins">
-          <thead>
-            <tr>
-              <th scope="col">{t("page-class-pupil")}</th>
-              <th scope="col">{t("page-class-stars")}</th>
-              <th scope="col">{t("page-class-tries")}</th>
-              <th scope="col">{t("page-class-mark")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {all.slice(0, MOST_FINISHED).map((seat) => (
-              <tr key={seat.id}>
-                <th scope="row">
-                  <bdi>{seat.name}</bdi>
-                </th>
-                <td>
-                  <Icon name={seat.stars ? "earned" : "star"} />
-                  {t("page-class-some-of", { count: seat.stars ?? 0, all: seat.all_stars ?? 0 })}
-                </td>
-                <td>{seat.tries ?? 0}</td>
-                <td>{t(isToMark(seat) ? "page-class-to-mark" : "page-class-done")}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      )}
+      {all.length === 0 ? <p class="dim">{t("page-class-no-hand-ins")}</p> : <HandInTable all={all} />}
+      {others > 0 && <p class="dim">{t("page-class-more-wait", { count: others })}</p>}
       <a class="button bordered" href="hand-ins">
         <Icon name="saved" />
         {t("page-handins-title")}
       </a>
     </section>
   );
+}
+
+function HandInTable({ all }: { all: readonly FinishedWork[] }) {
+  return (
+    <table class="wall-hand-ins">
+      <thead>
+        <tr>
+          <th scope="col">{t("page-class-pupil")}</th>
+          <th scope="col">{t("page-class-stars")}</th>
+          <th scope="col">{t("page-class-tries")}</th>
+          <th scope="col">{t("page-class-mark")}</th>
+        </tr>
+      </thead>
+      <tbody>
+        {all.slice(0, MOST_FINISHED).map((work) => (
+          <HandInRow key={[work.seat.id, work.left?.lesson, work.left?.step].join("/")} work={work} />
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+function HandInRow({ work: { seat, isToMark, left } }: { work: FinishedWork }) {
+  const { name, lesson_name, stars = 0, all_stars = 0, tries = 0 } = seat;
+  // The wall knows the stars of the lesson that is open.
+  const isOpen = !left || left.lesson === lesson_name;
+  return (
+    <tr>
+      <th scope="row">
+        <bdi>{name}</bdi>
+        {left && <small>{placeInWords(left, isOpen)}</small>}
+      </th>
+      <td>
+        {isOpen ? (
+          <>
+            <Icon name={stars ? "earned" : "star"} />
+            {t("page-class-some-of", { count: stars, all: all_stars })}
+          </>
+        ) : (
+          "–"
+        )}
+      </td>
+      <td>{left ? (left.tries ?? 0) : tries}</td>
+      <td>{t(isToMark ? "page-class-to-mark" : "page-class-done")}</td>
+    </tr>
+  );
+}
+
+function placeInWords({ title, step }: WaitingHandIn, isOpen: boolean): string {
+  return isOpen ? t("page-class-of-step", { step }) : t("page-class-of-lesson", { title: inLanguage(title), step });
 }

@@ -12,6 +12,7 @@ import type {
   Projected,
   Seat,
   ToTeacher,
+  WaitingHandIns,
   Wall,
 } from "../../protocol/classroom";
 
@@ -20,6 +21,8 @@ export class ClassStream extends Channel<FromTeacher, ToTeacher> {
   readonly offers = signal<readonly LessonOffer[]>([]);
   readonly seats = signal<ReadonlyMap<string, Seat>>(new Map());
   readonly plans = signal<ReadonlyMap<string, Plan>>(new Map());
+  /** What waits to be handed back, except for the work in the steps that pupils have open. */
+  readonly waiting = signal<WaitingHandIns>({ kind: "WaitingHandIns" });
   readonly projected = signal<Projected | null>(null);
   readonly pin = signal<NewPin | null>(null);
   readonly refused = signal<Phrase | null>(null);
@@ -41,6 +44,7 @@ export class ClassStream extends Channel<FromTeacher, ToTeacher> {
     this.on("Plan", (plan) => {
       this.plans.value = new Map([...this.plans.peek(), [plan.pupil, plan]]);
     });
+    this.on("WaitingHandIns", (waiting) => (this.waiting.value = waiting));
     this.on("NewPin", (pin) => (this.pin.value = pin));
     this.on("Refused", ({ message }) => (this.refused.value = message));
     this.on("Projected", (projected) => (this.projected.value = projected));

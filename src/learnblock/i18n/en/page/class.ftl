@@ -171,6 +171,9 @@ page-class-next-given = { $title } is open on the pages of { $count ->
 page-class-hand-ins = Hand-ins
 page-class-some-of = { $count } of { $all }
 page-class-no-hand-ins = No pupil has finished yet.
+# Of a hand-in, if the pupil has another step open, or another lesson with $title.
+page-class-of-step = step { $step }
+page-class-of-lesson = { $title }, step { $step }
 page-class-pupil = Pupil
 page-class-stars = Stars
 page-class-tries = Tries

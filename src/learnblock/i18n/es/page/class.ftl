@@ -156,6 +156,9 @@ page-class-next-given = La lección «{ $title }» está abierta en las páginas
 page-class-hand-ins = Entregas
 page-class-some-of = { $count } de { $all }
 page-class-no-hand-ins = Aún no ha terminado nadie.
+# Of a hand-in, if the pupil has another step open, or another lesson with $title.
+page-class-of-step = paso { $step }
+page-class-of-lesson = { $title }, paso { $step }
 page-class-pupil = Nombre
 page-class-stars = Estrellas
 page-class-tries = Intentos
