@@ -16,7 +16,7 @@ import small_lesson
 from browser.conftest import ARTEFACTS
 from browser.pupil import LONGEST_RUN
 from browser.test_accessibility import faults
-from classes import opened
+from classes import hand_in, opened
 
 LESSON = "First drive"
 NAMES = ("Ana", "Leo")
@@ -57,7 +57,8 @@ def join(desk, address, word, name, **options):
 
 
 def tile(wall, name):
-    return wall.get_by_role("row").filter(has=wall.get_by_text(name, exact=True))
+    rows = wall.get_by_role("grid").get_by_role("row")
+    return rows.filter(has=wall.get_by_text(name, exact=True))
 
 
 def state(wall, name):
@@ -284,6 +285,20 @@ def keep_a_hint(wall, page):
     expect(state(wall, "Mia")).not_to_have_text("Needs help")
     wall.keyboard.press("h")
     expect(hint).to_have_value("")
+
+
+def test_the_next_lesson_opens_for_those_who_are_ready_whose_work_stays_on_the_wall(room, desk):
+    with room.pupil("Ana").page() as ana, room.pupil("Leo").page() as leo:
+        hand_in(ana, "1-01-first-drive", 5)
+        leo.say("StartLesson", lesson="1-01-first-drive", name=LESSON)
+        wall = desk(f"{room.address}/teacher?key={room.key}")
+        button(wall, "Turn a corner, for 1 who is ready").click()
+        ana.hear("LessonShown", name="1-02-turn-a-corner")
+        says(wall, "Ana", "Turn a corner · step 1")
+        says(wall, "Leo", f"{LESSON} · step 1")
+    row = wall.get_by_label("Hand-ins").get_by_role("row").filter(has_text="Ana")
+    expect(row).to_contain_text(f"{LESSON}, step 5")
+    expect(row).to_contain_text("to mark")
 
 
 def test_a_lesson_of_the_teachers_own_is_added_at_the_wall_chosen_and_deleted(room, desk, tmp_path):
