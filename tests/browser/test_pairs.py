@@ -1,4 +1,4 @@
-"""Two pupils of a class play in one world, each from a page of their own."""
+"""Two pupils of a class play in one world, or show each other programs, each on their own page."""
 
 import re
 from types import SimpleNamespace
@@ -89,3 +89,43 @@ def invite(page):
     picture(page, "9-invite")
     button(dialog, "Ben").click()
     expect(page.locator(".class-notes")).to_contain_text("You have invited Ben")
+
+
+def share(page, way):
+    """Choose a way to share the open project."""
+    button(page.get_by_role("banner"), "Share").click()
+    dialog = page.get_by_role("dialog")
+    expect(dialog.get_by_label("Link", exact=True)).to_be_visible()
+    picture(page, f"13-share-{way.split()[-1]}")
+    dialog.get_by_role("button", name=re.compile(f"^{way}")).click()
+
+
+@pytest.mark.timeout(240)
+def test_a_pupil_shows_a_project_on_the_wall_and_to_a_classmate_who_opens_a_copy(room, desk, axe):
+    wall = open_wall(room, desk)
+    button(wall, "More").click()
+    wall.get_by_role("menuitemcheckbox", name="Let pupils show each other programs").click()
+    ana, _ = join(desk, room.address, room.word, "Ana")
+    ben, _ = join(desk, room.address, room.word, "Ben", reduced_motion="reduce")
+    make_project(room, ana, "Square", WAIT)
+    make_project(room, ben, "mine", GUESTS)
+    share(ana, "To my teacher")
+    waiting = wall.get_by_role("region", name="Waiting for you")
+    expect(waiting).to_contain_text("shows “Square”")
+    share(ana, "To a classmate")
+    button(ana.get_by_role("dialog"), "Ben").click()
+    expect(wall.get_by_role("region", name="Shown to classmates")).to_contain_text("Ana to Ben")
+    picture(wall, "14-wall-shown")
+    notes = ben.get_by_role("log", name="From your class")
+    expect(notes).to_contain_text("Ana shows you “Square”.")
+    picture(ben, "14-offered")
+    assert faults(SimpleNamespace(page=ben), axe) == []
+    button(notes, "Open a copy").click()
+    expect(ben).to_have_url(re.compile("#project=Square"))
+    expect(button(ben, "Run")).to_be_visible()
+    expect(ana.get_by_text("Ben has opened a copy of “Square”.")).to_be_visible()
+    with wall.expect_popup() as looking:
+        waiting.get_by_role("link", name="Look").click()
+    expect(looking.value).to_have_url(re.compile("#project=Square"))
+    expect(ana.get_by_text("Your teacher is looking at “Square”.")).to_be_visible()
+    expect(waiting).not_to_contain_text("shows")

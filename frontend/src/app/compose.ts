@@ -8,6 +8,7 @@ import { CustomBlocks } from "../features/custom-blocks/custom-blocks";
 import { HandInNews } from "../features/in-class/hand-ins";
 import { ClassNews } from "../features/in-class/in-class";
 import { Pairs } from "../features/in-class/pairs";
+import { ShownPrograms } from "../features/in-class/shown-programs";
 import { Lessons } from "../features/lessons/lessons";
 import { LessonMaking } from "../features/lessons/making";
 import { Libraries } from "../features/libraries/libraries";
@@ -114,6 +115,7 @@ function makeStores(connection: Connection, toasts: Toasts, dialogs: Dialogs) {
     handIns: new HandInNews(connection),
     libraries: new Libraries(connection),
     pairs: new Pairs(connection),
+    shownPrograms: new ShownPrograms(connection),
     robotMaker: new RobotMaker(connection),
     robotSettings: new RobotSettings(connection),
     tags: new TagDictionary(connection),

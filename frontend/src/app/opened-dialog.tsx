@@ -8,6 +8,7 @@ import { CustomBlockDialog, CustomBlocksDialog } from "../features/custom-blocks
 import { ExamplesDialog } from "../features/examples/dialog";
 import { HelpDialog } from "../features/help/dialog";
 import { InviteDialog } from "../features/in-class/invite";
+import { ShowClassmateDialog } from "../features/in-class/show-classmate";
 import { LessonEditorDialog } from "../features/lesson-editor/dialog";
 import { DeleteLessonDialog } from "../features/lessons/delete";
 import { LessonNotesDialog } from "../features/lessons/notes";
@@ -90,6 +91,7 @@ export function OpenedDialog() {
   if (typeof name === "object" && ("nameRun" in name || "deleteRun" in name)) return <RunDialog of={name} />;
   if (typeof name === "object" && "deleteLesson" in name) return <DeleteLessonDialog of={name} />;
   if (typeof name === "object" && "lessonNotes" in name) return <LessonNotesDialog of={name} />;
+  if (typeof name === "object" && "showLink" in name) return <ShowClassmateDialog of={name} />;
   if (typeof name === "object" && "editWorld" in name) return <WorldEditorDialog first={name.editWorld} />;
   if (typeof name === "object" && "renameWorld" in name) return <RenameWorldDialog name={name.renameWorld} />;
   if (typeof name === "object") return <ProjectDialog of={name} />;

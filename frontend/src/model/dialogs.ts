@@ -40,6 +40,7 @@ export type DialogName =
   | WorldDialogName
   | LessonDialogName
   | RunDialogName
+  | ShowDialogName
   | MakeBlockDialogName
   | CustomBlockDialogName;
 
@@ -56,6 +57,11 @@ export type LessonDialogName =
 
 /** A question about a kept run, by its id. */
 export type RunDialogName = { readonly nameRun: string } | { readonly deleteRun: string };
+
+/** The choice of a classmate who is to see the project of a link. */
+export interface ShowDialogName {
+  readonly showLink: string;
+}
 
 /** A block that the program defines, by its definition; empty for a new one. */
 export interface MakeBlockDialogName {

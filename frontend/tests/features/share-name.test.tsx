@@ -11,6 +11,7 @@ import { button, open, write } from "../dialog";
 function shared() {
   const exportRun = vi.fn();
   open(ShareDialog, (connection) => ({
+    classNews: { now: signal(null) },
     context: {
       connection: connection.real,
       program: { flush: () => {} },

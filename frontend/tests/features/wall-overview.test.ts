@@ -6,6 +6,7 @@ import {
   nextAfter,
   placesIn,
   readyFor,
+  showing,
   waiting,
 } from "../../src/features/class-page/overview";
 import { counts, inOrder, stateOf } from "../../src/features/class-page/states";
@@ -48,6 +49,17 @@ test("those who need help come first, the one who has waited longest before the 
   expect(ids(inOrder(class7b, "name"))).toEqual(["away", "editing", "later", "longer", "stuck"]);
   expect(ids(waiting(class7b))).toEqual(["longer", "later", "stuck"]);
   expect(counts(class7b).get("help")).toBe(2);
+});
+
+test("those who show a project wait, too, whatever they do meanwhile", () => {
+  const class7b = [
+    seat("newest", { shows: "Star", shows_since: 30 }),
+    seat("asks", { hand: true, waits: 10, shows: "Square", shows_since: 20 }),
+    seat("away", { here: false, gone: 90, shows: "Spiral", shows_since: 10 }),
+    seat("editing"),
+  ];
+  expect(ids(showing(class7b))).toEqual(["away", "asks", "newest"]);
+  expect(ids(waiting(class7b))).toEqual(["asks"]);
 });
 
 test("pupils who are farthest come first if the teacher wants that", () => {

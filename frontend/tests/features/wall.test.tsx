@@ -76,6 +76,19 @@ test("the teacher reads whom a lesson has not reached", () => {
   screen.getByText(/The lesson did not reach Ana and Mia\. Hand it out/);
 });
 
+test("the teacher sees what pupils show, also to each other", async () => {
+  const stream = open(["Ana", "Ben"], { shown: [{ pupil: "p1", classmate: "p0", project: "Star" }] });
+  const card = within(screen.getByRole("region", { name: "Shown to classmates" }));
+  card.getByText("“Star”: Ben to Ana");
+  await act(() => {
+    stream.seats.value = new Map([["p0", { id: "p0", name: "Ana", project: "Other", shows: "Square" }]]);
+  });
+  const waiting = within(screen.getByRole("region", { name: "Waiting for you" }));
+  waiting.getByText("shows “Square”");
+  // The project that is shown, whatever is open.
+  expect(waiting.getByText("Look").getAttribute("href")).toBe("p/p0/#project=Square");
+});
+
 test("nothing is asked while no pupil waits", () => {
   open(["Ana"]);
   expect(screen.queryByText(/joined. Waiting for you/)).toBeNull();

@@ -1,6 +1,7 @@
 """A pupil's desk: the pages that show the program, and what the teacher sees of it."""
 
 import asyncio
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Protocol, assert_never
@@ -19,6 +20,7 @@ from learnblock.classroom.progress import Progress
 from learnblock.classroom.questions import A
 from learnblock.classroom.quota import Paces
 from learnblock.classroom.roster import Pupil
+from learnblock.classroom.show_messages import FromShower, ProgramOffers
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server import messages
@@ -79,6 +81,20 @@ class Sharing(Protocol):
         """
 
 
+class Showing(Protocol):
+    """Lets pupils show their programs."""
+
+    def news(self, desk: "Desk") -> ProgramOffers:
+        """What classmates show a pupil."""
+
+    async def heard(self, desk: "Desk", page: DeskPage, message: FromShower) -> None:
+        """Do what a pupil's page asks for.
+
+        Raises:
+            LearnBlockError: it can't be done.
+        """
+
+
 class Desk:
     """The place of one pupil.
 
@@ -115,6 +131,11 @@ class Desk:
         self.lesson_works: LessonWorkFile | None = None
         #: Where the pupil can play with others; None at a desk where only a hand-in runs.
         self.sharing: Sharing | None = None
+        #: Where the pupil can show programs; None there, too.
+        self.showing: Showing | None = None
+        #: The project that the pupil shows the teacher, empty without one, and since when, in
+        #: seconds since 1970.
+        self._shows, self._shows_since = "", 0.0
         #: Whether the pupil's program is paused because the teacher speaks.
         self._rests = False
         #: Whether the pupil's server has refused the lesson that was handed out last.
@@ -137,7 +158,13 @@ class Desk:
             writing=self.writing,
         )
         file = self._shelf.of_pupil(self.pupil.id).get((seat.lesson_name, seat.step))
-        return replace(seat, hand_in=file.state if file else "", lacks_lesson=self._lacks_lesson)
+        return replace(
+            seat,
+            hand_in=file.state if file else "",
+            lacks_lesson=self._lacks_lesson,
+            shows=self._shows,
+            shows_since=self._shows_since,
+        )
 
     @contextmanager
     def opening(self) -> Iterator[None]:
@@ -174,11 +201,14 @@ class Desk:
         self.pages.append(page)
         self._look()
         page.tell(self._news(page))
-        if not page.is_teacher:
+        if page.is_teacher:
+            self._seen()
+        else:
             page.tell(self._own_hand_ins())
             if self.sharing:
                 self.sharing.came(self)
             self.tell_pair(page)
+            self.tell_offers(page)
         self._changed()
 
     def left(self, page: DeskPage) -> None:
@@ -222,6 +252,10 @@ class Desk:
             if self.sharing:
                 await self.sharing.heard(self, page, message)
             return
+        if isinstance(message, FromShower):
+            if self.showing:
+                await self.showing.heard(self, page, message)
+            return
         match message:
             case ours.AskNews():
                 self._tell_pages()
@@ -238,6 +272,23 @@ class Desk:
             case _:
                 assert_never(message)
         self.tell()
+
+    def show_teacher(self, project: str) -> None:
+        """Show a project on the wall, until the teacher looks at what the pupil does."""
+        self._shows, self._shows_since = project, time.time()
+        self._changed()
+
+    def _seen(self) -> None:
+        if self._shows:
+            self.note(Phrase("class-show-seen", project=self._shows))
+            self._shows, self._shows_since = "", 0.0
+
+    def renamed(self, page: DeskPage, name: str) -> None:
+        """Note that the project of a page has another name."""
+        if self._shows and self._shows == self.progress.work_of(page).project:
+            self._shows = name
+        if self.sharing:
+            self.sharing.renamed(self, page, name)
 
     def hand_out(self, lesson: str) -> None:
         """A lesson has been handed out to the pupil."""
@@ -296,6 +347,13 @@ class Desk:
         """Tell pages of the pupil, by default all, with whom the pupil plays."""
         if self.sharing:
             news = self.sharing.news(self)
+            for page in pages or self.own_pages:
+                page.tell(news)
+
+    def tell_offers(self, *pages: DeskPage) -> None:
+        """Tell pages of the pupil, by default all, what classmates show."""
+        if self.showing:
+            news = self.showing.news(self)
             for page in pages or self.own_pages:
                 page.tell(news)
 

@@ -53,6 +53,8 @@ SERVER_MEMORY, LARGEST_FILE, DISK = 1500 * MEGABYTE, 64 * MEGABYTE, 1000 * MEGAB
 PROGRAMS_MEMORY = 2048 * MEGABYTE
 #: The pace of invitations into one's world.
 INVITING = Pace(minute=6, burst=3)
+#: The pace of showing programs, and the most that wait for a classmate's answer.
+SHOWING, MOST_OFFERS = Pace(minute=6, burst=3), 3
 #: What a guest's page gets of a world: kilobytes, and pictures of what moves in a second.
 GUEST_KILOBYTES, GUEST_PICTURES = Pace(minute=1800, burst=3000), 10
 #: The pace of new pupils.
@@ -85,6 +87,8 @@ LIMITS: tuple[Limit, ...] = (
         _REFUSED,
     ),
     Limit("invitations into one's world", _pace(INVITING), "pupil", _REFUSED),
+    Limit("programs shown to teacher and classmates", _pace(SHOWING), "pupil", _REFUSED),
+    Limit("classmates' programs without an answer", f"{MOST_OFFERS}", "pupil", _REFUSED),
     Limit(
         "what a guest is shown of a world",
         f"{GUEST_PICTURES} pictures and {GUEST_KILOBYTES.minute / 60:g} kB a second",

@@ -19,6 +19,12 @@ from learnblock.classroom.hand_ins import State
 from learnblock.classroom.pair_messages import FromPlayer, LetShareWorlds, ToPlayer
 from learnblock.classroom.pins import Picture, Pictures
 from learnblock.classroom.roster import PupilId
+from learnblock.classroom.show_messages import (
+    FromShower,
+    LetShowPrograms,
+    ProgramOffers,
+    ShownProgram,
+)
 from learnblock.i18n import Phrase
 from learnblock.lessons.lesson import LessonText
 from learnblock.project.files.lesson_folder import LessonName
@@ -248,6 +254,8 @@ class Seat(Work, frozen=True, omit_defaults=True, kw_only=True):
         question: what the pupil needs help with.
         hand_in: what is to be done with the pupil's hand-in in the open step; empty without one.
         lacks_lesson: whether the pupil's server has refused the lesson that was handed out last.
+        shows: the project that the pupil shows the teacher; empty without one.
+        shows_since: when it was shown, in seconds since 1970.
         scene: changes with the world, which `Plan` has.
         kept: how many numbers of the way the wall knows already; `way` has the others.
         quiet: seconds since the pupil last did something.
@@ -266,6 +274,8 @@ class Seat(Work, frozen=True, omit_defaults=True, kw_only=True):
     question: str = ""
     hand_in: State | Literal[""] = ""
     lacks_lesson: bool = False
+    shows: str = ""
+    shows_since: float = 0
     scene: int = 0
     kept: int = 0
     quiet: int = 0
@@ -335,6 +345,8 @@ class Wall(Message, frozen=True):
         began: when it was handed out, in seconds since 1970; 0 if it was not.
         knocking: the first names of new pupils whom the teacher has to let in.
         sharing: whether pupils may play in each other's worlds.
+        showing: whether pupils may show each other programs.
+        shown: the last programs that they have shown each other, the newest first.
     """
 
     title: str
@@ -349,6 +361,8 @@ class Wall(Message, frozen=True):
     began: float = 0
     knocking: tuple[str, ...] = ()
     sharing: bool = False
+    showing: bool = False
+    shown: tuple[ShownProgram, ...] = ()
 
 
 class Seats(Message, frozen=True):
@@ -394,8 +408,10 @@ class Projected(Message, frozen=True):
     joined: int = 0
 
 
-FromPupil = AskNews | AskForHelp | LetTeacherWrite | AskToWrite | ImproveHandIn | FromPlayer
-ToPupil = InClass | OwnHandIns | HandInRun | ToPlayer
+FromPupil = (
+    AskNews | AskForHelp | LetTeacherWrite | AskToWrite | ImproveHandIn | FromPlayer | FromShower
+)
+ToPupil = InClass | OwnHandIns | HandInRun | ToPlayer | ProgramOffers
 FromTeacher = (
     EyesUp
     | StopAll
@@ -408,6 +424,7 @@ FromTeacher = (
     | RenewWord
     | ShowOnProjector
     | LetShareWorlds
+    | LetShowPrograms
     | FromHandInPages
 )
 ToTeacher = Wall | Offers | Seats | Plan | NewPin | Refused | Projected | ToHandInPages

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Literal, Protocol, assert_never
 
+from learnblock.classroom.classmates import classmates_here, name_of
 from learnblock.classroom.desk import Desk, DeskPage
 from learnblock.classroom.limits import INVITING
 from learnblock.classroom.pair_messages import (
@@ -23,7 +24,7 @@ from learnblock.classroom.pair_messages import (
 )
 from learnblock.classroom.questions import A
 from learnblock.classroom.quota import Buckets
-from learnblock.classroom.roster import Roster, names_of
+from learnblock.classroom.roster import Roster
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server import messages
@@ -164,10 +165,9 @@ class Pairs:
 
     def _classmates(self, desk: Desk) -> Iterator[Classmate]:
         """Who can be invited, in the order in which they joined."""
-        for id, name in names_of(self._roster.pupils).items():  # noqa: A001 - as in `Pupil`
-            other = self._desks.get(id)
-            if other and other is not desk and other.own_pages and not self.of(other):
-                yield Classmate(id, name)
+        for classmate in classmates_here(self._roster, self._desks, desk):
+            if not self.of(self._desks[classmate.id]):
+                yield classmate
 
     # Invitations.
 
@@ -319,7 +319,7 @@ class Pairs:
         pair = self.of(desk)
         if pair is None or pair.state_of(desk) != "host":
             return None
-        return pair if desk.progress.project_of(page) in ("", pair.project) else None
+        return pair if desk.progress.work_of(page).project in ("", pair.project) else None
 
     async def _fetch(self, pair: PupilPair) -> None:
         name = self._name(pair.guest)
@@ -354,7 +354,7 @@ class Pairs:
             raise LearnBlockError("class-pair-off")
 
     def _name(self, desk: Desk) -> str:
-        return names_of(self._roster.pupils).get(desk.pupil.id, desk.pupil.name)
+        return name_of(self._roster, desk)
 
     def _tell(self, pair: PupilPair) -> None:
         for desk in pair.desks:

@@ -117,9 +117,9 @@ class Progress:
         """A page has gone."""
         self._pages.pop(page, None)
 
-    def project_of(self, page: object) -> str:
-        """The name of the project that a page shows, as far as it has said."""
-        return self._pages.get(page, _NOTHING).now.work.project
+    def work_of(self, page: object) -> messages.Work:
+        """What a page works on, as far as it has said."""
+        return self._pages.get(page, _NOTHING).now.work
 
     @property
     def place(self) -> tuple[str, int]:

@@ -195,10 +195,10 @@ class Relay:
         return Phrase("class-too-fast") if self._paces.wait_for(kind) else None
 
     def _follow_name(self, received: str) -> None:
-        """Note the new name of a project in which a guest plays."""
-        if received.startswith(_RENAMED) and self._desk.sharing:
+        """Note the new name of a project in which a guest plays, or that is shown."""
+        if received.startswith(_RENAMED):
             with suppress(msgspec.MsgspecError):
-                self._desk.sharing.renamed(self._desk, self, _renamed.decode(received).name)
+                self._desk.renamed(self, _renamed.decode(received).name)
 
     async def _no_guest(self, kind: str) -> Phrase | None:
         """Why a run can't begin with the guest's program; None if it can, or needs none."""

@@ -19,6 +19,7 @@ from learnblock.classroom.pins import Picture
 from learnblock.classroom.pupil_folder import PROJECTS
 from learnblock.classroom.roster import Pupil, Roster
 from learnblock.classroom.servers import PupilServers, ServerAddress, Servers
+from learnblock.classroom.shown_programs import ShownPrograms
 from learnblock.errors import LearnBlockError
 from learnblock.project.files.folder import ProjectFolder
 from learnblock.server import messages
@@ -73,6 +74,7 @@ class Room:
         self.boards: set[RoomBoard] = set()
         self.desks: dict[str, Desk] = {}
         self.pairs = Pairs(roster, self.desks)
+        self.shown_programs = ShownPrograms(roster, self.desks, self.changed)
         #: Whether a hub lets pupils in and starts their servers.
         self.is_hubs = servers is not None
         self._servers = servers or Servers(lambda _: self.changed(), roster.blocks)
@@ -299,6 +301,7 @@ class Room:
         await self.marking.forget(pupil.id)
         await asyncio.to_thread(self.roster.remove, pupil)
         await asyncio.to_thread(self.marking.forget_runs)
+        self.shown_programs.forget(pupil.id)
         self.desks.pop(pupil.id, None)
         if self.projected == pupil.id:
             self.projected = None
@@ -313,6 +316,7 @@ class Room:
         )
         desk.eyes_up = self.eyes_up
         desk.sharing = self.pairs
+        desk.showing = self.shown_programs
         if self.is_hubs:
             desk.lesson_works = LessonWorkFile(self.roster.folder_of(pupil))
         return desk

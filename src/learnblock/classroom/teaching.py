@@ -9,6 +9,7 @@ from learnblock.classroom import hand_in_messages as hand_ins
 from learnblock.classroom import messages as ours
 from learnblock.classroom.pair_messages import LetShareWorlds
 from learnblock.classroom.room import Room
+from learnblock.classroom.show_messages import LetShowPrograms
 from learnblock.server import messages
 
 Handler = Callable[[Room, Any], Awaitable[ours.ToTeacher | None]]
@@ -78,6 +79,10 @@ async def _let_share(room: Room, message: LetShareWorlds) -> None:
     await room.pairs.let(on=message.on)
 
 
+async def _let_show(room: Room, message: LetShowPrograms) -> None:
+    room.shown_programs.let(on=message.on)
+
+
 async def _list_hand_ins(room: Room, message: hand_ins.ReadHandIns) -> hand_ins.HandInList:
     return await asyncio.to_thread(room.marking.listed, message.lesson, message.step)
 
@@ -131,6 +136,7 @@ _HANDLERS: Mapping[type, Handler] = {
     ours.RenewWord: _renew_word,
     ours.ShowOnProjector: _project,
     LetShareWorlds: _let_share,
+    LetShowPrograms: _let_show,
     hand_ins.ReadHandIns: _list_hand_ins,
     hand_ins.ReadHandIn: _show_hand_in,
     hand_ins.CollectHandIns: _collect,

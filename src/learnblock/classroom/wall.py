@@ -183,6 +183,8 @@ def _wall(room: Room) -> ours.Wall:
         began=room.began,
         knocking=tuple(room.knocking),
         sharing=room.pairs.allowed,
+        showing=room.shown_programs.allowed,
+        shown=room.shown_programs.shown,
     )
 
 
@@ -201,7 +203,16 @@ def _projected(room: Room) -> ours.Projected:
     if desk is None:
         return shown
     seat = msgspec.structs.replace(
-        desk.seat(), name="", project="", id="", question="", quiet=0, stuck=0, hand_in=""
+        desk.seat(),
+        name="",
+        project="",
+        id="",
+        question="",
+        quiet=0,
+        stuck=0,
+        hand_in="",
+        shows="",
+        shows_since=0,
     )
     plan = desk.progress.plan_of("")
     return msgspec.structs.replace(shown, seat=seat, plan=plan)

@@ -19,7 +19,7 @@ def test_as_many_messages_have_each_role_as_was_decided():
     assert roles == {
         "helper, pupil, watcher": 46,
         "helper, pupil": 32,
-        "pupil": 47,
+        "pupil": 51,
         "helper, watcher": 1,
         "": 36,
     }
@@ -46,6 +46,11 @@ def test_as_many_messages_have_each_role_as_was_decided():
         ("AnswerInvitation", {Role.PUPIL}),
         ("LeaveWorld", {Role.PUPIL}),
         ("LetShareWorlds", set()),
+        ("ShowTeacher", {Role.PUPIL}),
+        ("AskViewers", {Role.PUPIL}),
+        ("ShowClassmate", {Role.PUPIL}),
+        ("AnswerOffer", {Role.PUPIL}),
+        ("LetShowPrograms", set()),
         ("FindGuestRobot", set()),
         ("GiveProgram", set()),
         ("KeepKeysApart", set()),

@@ -159,6 +159,49 @@ def test_nothing_is_shared_until_the_teacher_allows_it(room, host, guest, ben):
     assert room.ask(f"/p/guest-{ben.id}/", cookie=ben.cookie).status == 403
 
 
+def test_a_pupil_shows_a_project_to_the_teacher_and_a_copy_to_a_classmate(
+    wall, host, guest, ana, ben
+):
+    project = host.last["Opened"]["name"]
+    hear_seat(wall, ana, project=project)
+    host.say("ShowTeacher")
+    hear_seat(wall, ana, shows=project)
+    with ana.page(ana.room.teacher()):
+        assert noted(host, "class-show-seen") == f"Your teacher is looking at “{project}”."
+    hear_seat(wall, ana, shows="")
+    host.say("MakeLink", request=1)
+    link = host.hear("ShareLink")["link"]
+    host.say("ShowClassmate", pupil=ben.id, link=link)
+    refused(host, "class-show-off", "ShowClassmate")
+    wall.say("LetShowPrograms", on=True)
+    host.hear("ProgramOffers", allowed=True)
+    for wrong in ({"pupil": "../../etc", "link": link}, {"pupil": ben.id, "link": "A" * 8001}):
+        host.say("ShowClassmate", **wrong)
+        refused(host, "server-message-unknown", "ShowClassmate")
+    host.say("ShowClassmate", pupil=ben.id, link=link)
+    shown = {"pupil": ana.id, "classmate": ben.id, "project": project}
+    assert wall.hear("Wall", shown=[shown])["showing"]
+    guest.hear("ProgramOffers", offers=[{"pupil": ana.id, "name": "Ana", "project": project}])
+    own = guest.last["Opened"]["name"]
+    guest.say("AnswerOffer", pupil=ana.id, on=True)
+    guest.hear("Opened", name=project)
+    guest.hear("RunState", state="idle")
+    assert noted(host, "class-show-opened") == f"Ben has opened a copy of “{project}”."
+    guest.say("ListProjects")
+    # Nothing runs by itself, and what the classmate had is still there.
+    assert {own, project} <= {one["name"] for one in guest.hear("Projects")["projects"]}
+    assert guest.last["RunState"]["state"] == "idle"
+
+
+def hear_seat(wall, pupil, **values):
+    """Wait until the wall shows this of a pupil."""
+    while not any(
+        seat["id"] == pupil.id and values.items() <= {"shows": "", **seat}.items()
+        for seat in wall.hear("Seats")["seats"]
+    ):
+        pass
+
+
 # Also claimed, without servers, in `test_pairs.py`.
 @pytest.mark.exhaustive
 @pytest.mark.timeout(120)

@@ -111,6 +111,12 @@ export function Tools({ stream, wall, showJoin, hintAll }: ToolsProps) {
                 on: wall.sharing ?? false,
                 run: () => stream.send({ kind: "LetShareWorlds", on: !wall.sharing }),
               },
+              {
+                text: t("page-class-showing"),
+                icon: "share",
+                on: wall.showing ?? false,
+                run: () => stream.send({ kind: "LetShowPrograms", on: !wall.showing }),
+              },
               { text: t("page-class-export-all"), icon: "download", run: () => location.assign("export.zip") },
               // At a hub, the programs are on pupils' servers.
               ...(wall.word ? [{ text: t("page-class-print-all"), icon: "print", run: print } as const] : []),

@@ -16,6 +16,12 @@ export function waiting(seats: readonly Seat[]): Seat[] {
   ];
 }
 
+/** Those who show the teacher a project, the one who has waited longest first. */
+export function showing(seats: readonly Seat[]): Seat[] {
+  const since = ({ shows_since = 0 }: Seat) => shows_since;
+  return seats.filter(({ shows }) => shows).sort((one, other) => since(one) - since(other));
+}
+
 /** How many pupils are in each step of a lesson, and how many have not begun it. */
 export interface Places {
   readonly steps: readonly number[];

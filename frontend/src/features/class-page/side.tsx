@@ -6,7 +6,16 @@ import { t } from "../../i18n";
 import type { LessonOffer, Seat, WaitingHandIn } from "../../protocol/classroom";
 import { Icon, type IconName } from "../../ui/icons";
 import { inLanguage } from "../lessons/texts";
-import { commonMistake, type FinishedWork, finishedWork, nextAfter, placesIn, readyFor, waiting } from "./overview";
+import {
+  commonMistake,
+  type FinishedWork,
+  finishedWork,
+  nextAfter,
+  placesIn,
+  readyFor,
+  showing,
+  waiting,
+} from "./overview";
 import { minutes, STATE_ICONS, stateOf } from "./states";
 import type { ClassStream } from "./stream";
 import { findingInWords, pageOf } from "./tile";
@@ -29,6 +38,7 @@ export function Side({ stream, seats, lesson, handOut }: Props) {
       <Waiting seats={seats} />
       <Where stream={stream} seats={seats} lesson={lesson} handOut={handOut} />
       <HandIns stream={stream} seats={seats} />
+      <Shown stream={stream} />
     </aside>
   );
 }
@@ -44,18 +54,18 @@ function Title({ icon, text, more }: { icon: IconName; text: string; more?: stri
 }
 
 function Waiting({ seats }: Pick<Props, "seats">) {
-  const all = waiting(seats);
+  const all = [...waiting(seats).map(calling), ...showing(seats).map(shownBy)];
   return (
     <section class="wall-card" aria-label={t("page-class-waiting-for-you")}>
       <Title icon="hand" text={t("page-class-waiting-for-you")} />
       {all.length === 0 && <p class="dim">{t("page-class-none-waiting")}</p>}
       <ul>
-        {all.slice(0, MOST_WAITING).map((seat) => (
-          <li key={seat.id} class={`waiting ${stateOf(seat)}`}>
-            <Icon name={STATE_ICONS[stateOf(seat)]} />
+        {all.slice(0, MOST_WAITING).map(({ key, look, icon, seat, why }) => (
+          <li key={key} class={`waiting ${look}`}>
+            <Icon name={icon} />
             <span>
               <bdi>{seat.name}</bdi>
-              <small>{whyInWords(seat)}</small>
+              <small>{why}</small>
             </span>
             <a class="button" href={pageOf(seat)} target="_blank" rel="noopener opener">
               {t("page-class-look")}
@@ -66,6 +76,45 @@ function Waiting({ seats }: Pick<Props, "seats">) {
       {all.length > MOST_WAITING && (
         <p class="dim">{t("page-class-more-wait", { count: all.length - MOST_WAITING })}</p>
       )}
+    </section>
+  );
+}
+
+/** Why a pupil waits for the teacher, and what the teacher then looks at. */
+interface Entry {
+  readonly key: string;
+  readonly look: string;
+  readonly icon: IconName;
+  readonly seat: Seat;
+  readonly why: string;
+}
+
+function calling(seat: Seat): Entry {
+  const look = stateOf(seat);
+  return { key: seat.id, look, icon: STATE_ICONS[look], seat, why: whyInWords(seat) };
+}
+
+/** The entry of a pupil who shows a project, which need not be the one that is open. */
+function shownBy(seat: Seat): Entry {
+  const project = seat.shows ?? "";
+  const why = t("page-class-shows", { project });
+  return { key: `${seat.id} shows`, look: "shows", icon: "share", seat: { ...seat, project }, why };
+}
+
+/** What pupils have shown each other; nothing before they have. */
+function Shown({ stream }: Pick<Props, "stream">) {
+  const seats = stream.seats.value;
+  const name = (id: string) => seats.get(id)?.name ?? "";
+  const shown = stream.wall.value?.shown ?? [];
+  if (shown.length === 0) return null;
+  return (
+    <section class="wall-card" aria-label={t("page-class-shown")}>
+      <Title icon="share" text={t("page-class-shown")} />
+      <ul class="dim">
+        {shown.map(({ pupil, classmate, project }, i) => (
+          <li key={i}>{t("page-class-shown-to", { name: name(pupil), classmate: name(classmate), project })}</li>
+        ))}
+      </ul>
     </section>
   );
 }

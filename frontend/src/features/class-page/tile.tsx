@@ -153,9 +153,10 @@ function stepInWords({ lesson, step = 0, steps = 0, stars = 0, project = "" }: S
   return t("page-class-step", { title: inLanguage(lesson), step, steps, stars });
 }
 
-/** What there is to say about a pupil: the question, a mistake, or what the last run missed. */
-export function findingInWords({ hand, question, error, missed }: Seat): string {
+/** What there is to say about a pupil: the question, what is shown, a mistake, or what the last run missed. */
+export function findingInWords({ hand, question, shows, error, missed }: Seat): string {
   if (hand && question) return t("page-class-said", { question });
+  if (shows) return t("page-class-shows", { project: shows });
   if (error) return say(error as unknown as Phrase);
   return missed ? missedInWords(missed) : "";
 }

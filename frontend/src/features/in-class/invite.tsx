@@ -6,7 +6,7 @@ import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import type { Classmate } from "../../protocol/classroom";
 import { Dialog } from "../../ui/dialog";
-import "./pairs.css";
+import { ChooseClassmate } from "./choose-classmate";
 
 export function InviteDialog() {
   const { dialogs, pairs } = usePage();
@@ -19,28 +19,7 @@ export function InviteDialog() {
   return (
     <Dialog title={t("page-pair-title")} close={close}>
       <p>{t("page-pair-how")}</p>
-      <Choice classmates={pairs.classmates.value} choose={invite} />
+      <ChooseClassmate classmates={pairs.classmates.value} nobody={t("page-pair-nobody")} choose={invite} />
     </Dialog>
-  );
-}
-
-interface ChoiceProps {
-  readonly classmates: readonly Classmate[] | null;
-  readonly choose: (classmate: Classmate) => void;
-}
-
-function Choice({ classmates, choose }: ChoiceProps) {
-  if (classmates === null) return null;
-  if (classmates.length === 0) return <p class="dim">{t("page-pair-nobody")}</p>;
-  return (
-    <ul class="classmates">
-      {classmates.map((one) => (
-        <li key={one.id}>
-          <button type="button" class="button bordered" onClick={() => choose(one)}>
-            {one.name}
-          </button>
-        </li>
-      ))}
-    </ul>
   );
 }

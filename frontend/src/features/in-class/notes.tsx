@@ -11,6 +11,7 @@ import { IconButton } from "../../ui/button";
 import { hold } from "../../ui/dialog";
 import { Icon } from "../../ui/icons";
 import { RobotPicture } from "../../ui/robots/picture";
+import { OfferNote } from "./offer-note";
 import { PairNote } from "./pair-note";
 import "./notes.css";
 
@@ -67,6 +68,7 @@ function ForPupil({ now }: { now: InClass }) {
   return (
     <>
       <PairNote />
+      <OfferNote />
       {now.hand && <Question key={now.question} known={now.question ?? ""} />}
       {now.hint && now.hints !== news.read.value && (
         <Note look="hint">

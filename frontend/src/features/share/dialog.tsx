@@ -8,10 +8,12 @@ import { usePage } from "../../model/page";
 import { sharedAddress } from "../../protocol/address";
 import type { ShareLink } from "../../protocol/messages";
 import { Dialog } from "../../ui/dialog";
-import { Icon, type IconName } from "../../ui/icons";
+import { Icon } from "../../ui/icons";
+import { InClass } from "./in-class";
 import { fingerprint } from "./links";
 import { printProgram } from "./print";
 import { Snapshot } from "./snapshot";
+import { Tile } from "./tile";
 import "./dialog.css";
 
 /** A longer link makes a code that cameras can't read from a screen. */
@@ -44,6 +46,7 @@ export function ShareDialog() {
           ) : (
             <p role="status">{answer.value?.problem && say(answer.value.problem)}</p>
           )}
+          <InClass link={answer.value?.link ?? ""} />
           <Keeping pupil={pupil.value ?? ""} />
         </div>
       </div>
@@ -154,25 +157,5 @@ function Keeping({ pupil }: { pupil: string }) {
         <Tile icon="home" word="run" off={isRunning} onClick={run(() => share.exportRun(pupil.trim()))} />
       </div>
     </>
-  );
-}
-
-interface TileProps {
-  readonly icon: IconName;
-  /** The end of the codes of its name and of what it says below. */
-  readonly word: string;
-  readonly off?: boolean;
-  readonly onClick: () => void;
-}
-
-function Tile({ icon, word, off, onClick }: TileProps) {
-  return (
-    <button type="button" class="share-tile" disabled={off} onClick={onClick}>
-      <Icon name={icon} />
-      <span>
-        <strong>{t(`page-share-${word}`)}</strong>
-        <span class="dim">{t(`page-share-${word}-help`)}</span>
-      </span>
-    </button>
   );
 }

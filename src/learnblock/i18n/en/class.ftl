@@ -113,3 +113,18 @@ class-pair-unfit = { $name }'s program can't run on the robot { $robot }. Choose
 # $robot is the name of a robot.
 class-pair-unfit-own = Your program can't run on the robot { $robot }. Use only blocks that this robot has.
 class-pair-only-keys = In a classmate's world you can only press keys.
+
+## Showing programs
+
+# $project is the name of a project.
+class-show-teacher = Your teacher sees on the wall that you show “{ $project }”.
+class-show-seen = Your teacher is looking at “{ $project }”.
+# $name is a classmate, $project the name of a project.
+class-show-classmate = { $name } can open a copy of “{ $project }” now.
+class-show-opened = { $name } has opened a copy of “{ $project }”.
+class-show-declined = { $name } does not want to look now.
+class-show-busy = { $name } has many programs to look at. Try again later.
+class-show-gone = This program is no longer offered.
+class-show-lesson = In a lesson you work alone. Open a project of your own, then show it.
+class-show-no-project = Open a project first, then show it.
+class-show-off = Showing programs to classmates is switched off. Ask your teacher.

@@ -100,3 +100,16 @@ class-pair-mistakes-own = { $name } quiere empezar: abre tu programa y corrige s
 class-pair-unfit = El programa de { $name } no puede funcionar en el robot { $robot }. Elige otro tipo de robot o pide otro programa.
 class-pair-unfit-own = Tu programa no puede funcionar en el robot { $robot }. Usa solo bloques que tenga ese robot.
 class-pair-only-keys = En el mundo de otra persona solo puedes pulsar teclas.
+
+## Enseñar programas
+
+class-show-teacher = Tu profe ve en su panel que le enseñas «{ $project }».
+class-show-seen = Tu profe está mirando «{ $project }».
+class-show-classmate = { $name } ya puede abrir una copia de «{ $project }».
+class-show-opened = { $name } ha abierto una copia de «{ $project }».
+class-show-declined = { $name } no quiere mirarlo ahora.
+class-show-busy = { $name } tiene muchos programas por mirar. Prueba más tarde.
+class-show-gone = Este programa ya no se puede abrir.
+class-show-lesson = En una lección trabajas por tu cuenta. Abre un proyecto tuyo y después enséñalo.
+class-show-no-project = Abre primero un proyecto y después enséñalo.
+class-show-off = Enseñar programas a la clase está desactivado. Pregunta a tu profe.

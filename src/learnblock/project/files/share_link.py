@@ -141,12 +141,26 @@ def read_link(text: str) -> SharedProject:
         ProjectError: what it holds is not a valid project.
     """
     match = _match(text)
-    if match[1] != str(VERSION):
-        raise LinkError("share-version", version=match[1])
-    content = _content(_inflated(_bytes(match[2])))
+    content = _content_of(match)
     run = content.run and msgspec.structs.replace(content.run, trace_sha256=_hash(match[3]))
     project = decode(bytes(content.project), checked_name(content.name))
     return SharedProject(_complete(project), content.variant, run)
+
+
+def linked_name(text: str) -> str:
+    """The name of the project of a link, which may hold a project that can't be read.
+
+    Raises:
+        LinkError: it is no link, a damaged one, or one of a newer LearnBlock.
+        ProjectError: the name is not valid.
+    """
+    return checked_name(_content_of(_match(text)).name)
+
+
+def _content_of(match: re.Match[str]) -> _Content:
+    if match[1] != str(VERSION):
+        raise LinkError("share-version", version=match[1])
+    return _content(_inflated(_bytes(match[2])))
 
 
 def _match(text: str) -> re.Match[str]:

@@ -70,6 +70,7 @@ page-class-log-in = Log in as at school
 page-class-open-door = New pupils can join
 page-class-renew-word = New join word
 page-class-sharing = Let pupils play in pairs
+page-class-showing = Let pupils show each other programs
 page-class-eyes-up-button = Eyes up
 page-class-stop-all = Stop all robots
 page-class-hand-out = Hand out a lesson
@@ -151,6 +152,11 @@ page-class-side = The class
 page-class-waiting-for-you = Waiting for you
 page-class-none-waiting = No pupil is waiting.
 page-class-more-wait = and { $count } more
+# $project is the name of a project.
+page-class-shows = shows “{ $project }”
+page-class-shown = Shown to classmates
+# $name and $classmate are pupils, $project is the name of a project.
+page-class-shown-to = “{ $project }”: { $name } to { $classmate }
 page-class-tried = step { $step } · { $tries } { $tries ->
         [one] try
        *[other] tries

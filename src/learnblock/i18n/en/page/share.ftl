@@ -14,6 +14,13 @@ page-share-copies = Other people can change their copy. Yours stays as it is.
 page-share-maker = Show my name
 page-share-maker-help = On the page to take home. Without it, nothing says who made it.
 page-share-maker-name = Name
+page-share-class = In my class
+page-share-teacher = To my teacher
+# $title is the name of the class, such as 7b.
+page-share-teacher-help = appears on the wall of class { $title }
+page-share-classmate = To a classmate
+page-share-classmate-help = who can open a copy
+page-share-classmate-lesson = not in a lesson
 page-share-keep = To keep
 page-share-file = File
 page-share-file-help = to open and change again

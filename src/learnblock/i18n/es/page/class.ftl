@@ -66,6 +66,7 @@ page-class-log-in = Inicia sesión como en el centro
 page-class-open-door = Puede entrar gente nueva
 page-class-renew-word = Otra palabra para entrar
 page-class-sharing = Dejar jugar en pareja
+page-class-showing = Dejar que se enseñen programas
 page-class-eyes-up-button = Atención
 page-class-stop-all = Parar todos los robots
 page-class-hand-out = Repartir una lección
@@ -137,6 +138,9 @@ page-class-side = La clase
 page-class-waiting-for-you = Te esperan
 page-class-none-waiting = Nadie está esperando.
 page-class-more-wait = y { $count } más
+page-class-shows = enseña «{ $project }»
+page-class-shown = Enseñado a la clase
+page-class-shown-to = «{ $project }»: de { $name } a { $classmate }
 page-class-tried = paso { $step } · { $tries } { $tries ->
         [one] intento
        *[other] intentos
