@@ -107,26 +107,36 @@ def test_a_question_and_goals_are_in_sight_beside_program_robot_and_run(
     reader.pupil.picture(f"goals-{size}-{language}")
 
 
-#: A program of ten blocks.
-TEN = "main:\n" + "    function.drive_distance(100)\n" * 9 + "end\n"
+#: Programs of ten blocks.
+FLAT_TEN = "main:\n" + "    function.drive_distance(100)\n" * 9 + "end\n"
+NESTED_TEN = (
+    "main:\n    forever:\n        if function.is_left_ground_line():\n"
+    + "            function.drive_distance(100)\n" * 7
+    + "        end\n    end\nend\n"
+)
+#: The size of the words on the blocks of the program, px.
+WORDS = f"""() => Math.min(...[...document.querySelectorAll("{BLOCKS} ~ g .blocklyText")].map(
+    (word) => parseFloat(getComputedStyle(word).fontSize) * word.getScreenCTM().a))"""
 
 
+@pytest.mark.parametrize("program", [FLAT_TEN, NESTED_TEN], ids=["flat", "nested"])
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_phone_shows_the_first_ten_blocks_beside_task_world_and_run(
-    own_server, sit_down, language
+    own_server, sit_down, language, program
 ):
     reader = Reader(sit_down, own_server, "phone", language, flat=True, has_touch=True)
     reader.open("1-03-square")
     blocks, text = reader.page.locator(".areas button").all()[:2]
     text.tap()
-    reader.pupil.write("blocktext", TEN)
+    reader.pupil.write("blocktext", program)
     expect(reader.page.locator(".saved")).to_have_text({"en": "Saved", "es": "Guardado"}[language])
     blocks.tap()
     reader.page.reload()
     drives = f"{WORKSPACE} .lb_skill_drive_distance > .blocklyPath"
-    expect(reader.page.locator(drives)).to_have_count(9)
+    expect(reader.page.locator(drives)).to_have_count(program.count("drive_distance"))
     wanted = f"{TASK}, {RUN}, {drives}"
     reader.page.wait_for_function(f"(wanted) => ({CUT})(wanted).length === 0", arg=wanted)
+    assert 12 <= reader.page.evaluate(WORDS) < 16
     reader.pupil.picture(f"ten-{language}")
 
 

@@ -9,6 +9,7 @@ import type { BlockSet, Workspace } from "../../protocol/messages";
 import { actionsOf, type BlockActions, setActions } from "./actions";
 import { registerCategories } from "./categories";
 import { Checker } from "./checker";
+import { COMPACT } from "./compact";
 import { Dragger, EDGE } from "./dragger";
 import { Fit } from "./fit";
 import { pieceWith, type Rest } from "./folds";
@@ -437,6 +438,7 @@ function options(theme: ThemeName, toolbox: Blockly.utils.toolbox.ToolboxInfo): 
 function compacted(usual: Blockly.BlocklyOptions): Blockly.BlocklyOptions {
   return {
     ...usual,
+    renderer: COMPACT,
     horizontalLayout: true,
     toolboxPosition: "end",
     trashcan: false,

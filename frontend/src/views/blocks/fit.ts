@@ -4,12 +4,10 @@ import type * as Blockly from "blockly/core";
 
 /** The statements that are in sight at first. */
 const FIRST = 10;
-/** Smaller words could not be read; larger blocks would differ from those on other screens. */
-const LEAST = 0.68;
+/** Words of 12 px: smaller ones could not be read. Larger blocks would differ from those on other screens. */
+export const LEAST = 0.75;
 /** Around the program, px. */
-const MARGIN = 4;
-/** The height of a statement that has others inside, without these, in units of the workspace. */
-const ROW = 48;
+export const MARGIN = 4;
 
 /** What a user does to a program. */
 const TOUCHES = ["pointerdown", "wheel", "keydown"] as const;
@@ -74,10 +72,14 @@ function statementsOf(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg[] {
     .flatMap((stack) => stack.getDescendants(true).filter((one) => !one.outputConnection));
 }
 
+/** Of a statement that has others inside, what is above these. */
 function areaOf(block: Blockly.BlockSvg): Area {
   const { left, top, right, bottom } = block.getBoundingRectangleWithoutChildren();
-  const isAround = block.inputList.some(({ connection }) => connection?.targetBlock()?.previousConnection);
-  return { left, top, right, bottom: isAround ? top + ROW : bottom };
+  const inputs = block.inputList.map(({ connection }) =>
+    (connection as Blockly.RenderedConnection | null)?.targetBlock(),
+  );
+  const inside = inputs.find((one) => one?.previousConnection);
+  return { left, top, right, bottom: inside?.getBoundingRectangleWithoutChildren().top ?? bottom };
 }
 
 function around(areas: readonly Area[]): Area {

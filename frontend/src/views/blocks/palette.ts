@@ -8,6 +8,7 @@ import type { Tab } from "../../model/shown-blocks";
 import { showIcons } from "./block-icon";
 import { registerCodeField } from "./code-field";
 import { mixColours } from "./colour-mixer";
+import { registerCompact } from "./compact";
 import { snapAsInScratch } from "./dragger";
 import { type Definition, defineFields, learnAllowed } from "./fields";
 import { learnUnits } from "./fields/unit";
@@ -144,6 +145,7 @@ export function prepareBlockly(): void {
   snapAsInScratch();
   tuneRendering();
   labelPlaces();
+  registerCompact();
   readSentences();
   keepFocus();
   // Never stopped: a program repeats few words, and measuring one causes a layout of the page.

@@ -5,11 +5,17 @@ import type * as Blockly from "blockly/core";
 import type { Workspace } from "../../protocol/messages";
 
 const LEFT = 40;
+/** Between two stacks, in units of the workspace; on a phone there is less room. */
 const GAP = 40;
+const COMPACT_GAP = 16;
 
 type Rect = Blockly.utils.Rect;
 /** The area of each stack, by the id of its first block. */
 export type Covered = ReadonlyMap<string, Rect>;
+
+function gapIn({ horizontalLayout }: Blockly.WorkspaceSvg): number {
+  return horizontalLayout ? COMPACT_GAP : GAP;
+}
 
 export function covered(workspace: Blockly.WorkspaceSvg): Map<string, Rect> {
   return new Map(workspace.getTopBlocks(false).map((block) => [block.id, block.getBoundingRectangle()]));
@@ -26,7 +32,7 @@ export function bottomOf(areas: Iterable<Rect>): number {
 export function placeBelow(bottom: number, unplaced: readonly Blockly.BlockSvg[]): void {
   let above = bottom;
   for (const block of unplaced) {
-    moveTo(block, LEFT, above + GAP);
+    moveTo(block, LEFT, above + gapIn(block.workspace));
     above = block.getBoundingRectangle().bottom;
   }
 }
@@ -89,7 +95,8 @@ export function keepOrder(stacks: readonly Blockly.BlockSvg[], placed: ReadonlyS
     const area = lower.getBoundingRectangle();
     const isCovered = above.some((one) => moved.has(one) && one.getBoundingRectangle().intersects(area));
     if (compare(upper, lower) < 0 && !isCovered) return;
-    moveTo(lower, lower.getRelativeToSurfaceXY().x, bottomOf(above.map((one) => one.getBoundingRectangle())) + GAP);
+    const bottom = bottomOf(above.map((one) => one.getBoundingRectangle()));
+    moveTo(lower, lower.getRelativeToSurfaceXY().x, bottom + gapIn(lower.workspace));
     moved.add(lower);
   });
 }
@@ -97,6 +104,16 @@ export function keepOrder(stacks: readonly Blockly.BlockSvg[], placed: ReadonlyS
 export function moveTo(block: Blockly.BlockSvg, x: number, y: number): void {
   const place = block.getRelativeToSurfaceXY();
   block.moveBy(x - place.x, y - place.y);
+}
+
+/** Move down stacks that others cover: they were placed where blocks have other sizes, as on a phone. */
+export function separate(stacks: readonly Blockly.BlockSvg[]): void {
+  const above: Blockly.BlockSvg[] = [];
+  for (const lower of inDrawnOrder(stacks)) {
+    // One that is pushed may reach one that it did not reach before.
+    for (let isPushed = true; isPushed; ) isPushed = above.some((upper) => pushBelow(upper, lower));
+    above.push(lower);
+  }
 }
 
 /** Move down stacks that a grown stack now covers. */
@@ -130,6 +147,6 @@ function wasUnder(lower: Blockly.BlockSvg, upper: Blockly.BlockSvg, before: Cove
 function pushBelow(upper: Blockly.BlockSvg, lower: Blockly.BlockSvg): boolean {
   const [above, below] = [upper.getBoundingRectangle(), lower.getBoundingRectangle()];
   if (!above.intersects(below)) return false;
-  lower.moveBy(0, above.bottom + GAP - below.top);
+  lower.moveBy(0, above.bottom + gapIn(lower.workspace) - below.top);
   return true;
 }

@@ -42,7 +42,7 @@ function widthOf(word: string): number {
   return getFastTextWidthWithSizeString(measured, `${FONT_SIZE}px`, "600", "Nunito Variable, sans-serif");
 }
 
-class Info extends Blockly.zelos.RenderInfo {
+export class Info extends Blockly.zelos.RenderInfo {
   /** @param room the width in which the sentence is broken into lines, which Blockly only has for inputs; null for one line */
   constructor(
     renderer: Blockly.zelos.Renderer,
@@ -87,13 +87,6 @@ function roomBeside(block: Block): number | null {
   return block.getParent() ? flyout.room - AROUND : flyout.room;
 }
 
-/** Whether a block on one line is wider than a room. */
-function isWider(renderer: Renderer, block: Block, room: number): boolean {
-  const info = new Info(renderer, block, null);
-  info.measure();
-  return info.width > room;
-}
-
 function isEmpty(place: Place): boolean {
   return !place.connectedBlock;
 }
@@ -136,11 +129,27 @@ function wordOn(block: Block, name: string): SVGTextElement {
   return word;
 }
 
-class Renderer extends Blockly.zelos.Renderer {
+export class Renderer extends Blockly.zelos.Renderer {
   protected override makeRenderInfo_(block: Block): Blockly.zelos.RenderInfo {
     arrangeOptional(block);
-    const room = roomBeside(block);
-    return new Info(this, block, room !== null && isWider(this, block, room) ? room : null);
+    const room = this.roomOf(block);
+    return this.infoOf(block, room !== null && this.isWider(block, room) ? room : null);
+  }
+
+  /** The width that a block may have, in units of the workspace; null for any width. */
+  protected roomOf(block: Block): number | null {
+    return roomBeside(block);
+  }
+
+  protected infoOf(block: Block, room: number | null): Info {
+    return new Info(this, block, room);
+  }
+
+  /** Whether a block on one line is wider than a room. */
+  private isWider(block: Block, room: number): boolean {
+    const info = this.infoOf(block, null);
+    info.measure();
+    return info.width > room;
   }
 
   protected override makeDrawer_(block: Block, info: Blockly.blockRendering.RenderInfo): Blockly.zelos.Drawer {

@@ -9,7 +9,17 @@ import { index, shadowLinks } from "./flat";
 import { blocksIn, blocksOf, fold, hiddenIn, REST, type Rest, restOf, unfold } from "./folds";
 import { COMMENT, isPart } from "./loose";
 import type { Covered } from "./places";
-import { bottomOf, covered, keepOrder, makeRoom, moveTo, placeBelow, placeInOrder, withMainAsDrawn } from "./places";
+import {
+  bottomOf,
+  covered,
+  keepOrder,
+  makeRoom,
+  moveTo,
+  placeBelow,
+  placeInOrder,
+  separate,
+  withMainAsDrawn,
+} from "./places";
 import { readOwn, readWorkspace } from "./read";
 import { copied } from "./rest-block";
 import { isPlaced, type Stack, slices } from "./slices";
@@ -317,6 +327,7 @@ class Change {
     }
     if (this.touched) makeRoom(this.workspace, this.before);
     keepOrder(ordered, among);
+    if (!this.before.size) separate(this.workspace.getTopBlocks(false));
   }
 
   /** The stacks whose order is that of the program. */

@@ -1,4 +1,4 @@
-/** Breaks the sentences of the palette into lines, so that they are whole beside the program. */
+/** Breaks sentences into lines: those of the palette, so that they are whole beside the program, and all on a phone. */
 
 import * as Blockly from "blockly/core";
 
@@ -39,7 +39,8 @@ function inside({ outputConnection }: Blockly.BlockSvg, room: number): number {
   return room - (outputConnection ? EDGES.value : EDGES.statement);
 }
 
-function lineOf(row: Row, elements: Measurable[], constants: Blockly.blockRendering.ConstantProvider): Row {
+/** A line of some elements of a row. */
+export function lineOf(row: Row, elements: Measurable[], constants: Blockly.blockRendering.ConstantProvider): Row {
   const line = new Blockly.blockRendering.InputRow(constants);
   line.elements = elements;
   line.align = row.align;
