@@ -23,7 +23,7 @@ from learnblock.classroom.show_messages import (
     FromShower,
     LetShowPrograms,
     ProgramOffers,
-    ShownProgram,
+    ShownToClassmate,
 )
 from learnblock.i18n import Phrase
 from learnblock.lessons.lesson import LessonText
@@ -362,7 +362,7 @@ class Wall(Message, frozen=True):
     knocking: tuple[str, ...] = ()
     sharing: bool = False
     showing: bool = False
-    shown: tuple[ShownProgram, ...] = ()
+    shown: tuple[ShownToClassmate, ...] = ()
 
 
 class Seats(Message, frozen=True):

@@ -81,7 +81,7 @@ class LetShowPrograms(Message, frozen=True):
     on: bool
 
 
-class ShownProgram(Struct, frozen=True):
+class ShownToClassmate(Struct, frozen=True):
     """A program that a pupil has shown a classmate.
 
     Args:

@@ -22,7 +22,7 @@ from learnblock.classroom.show_messages import (
     ProgramOffer,
     ProgramOffers,
     ShowClassmate,
-    ShownProgram,
+    ShownToClassmate,
     ShowTeacher,
 )
 from learnblock.errors import LearnBlockError
@@ -71,7 +71,7 @@ class ShownPrograms:
     ) -> None:
         self.allowed = False
         #: What pupils have shown each other, the newest first.
-        self.shown: tuple[ShownProgram, ...] = ()
+        self.shown: tuple[ShownToClassmate, ...] = ()
         self._roster = roster
         self._desks = desks
         self._changed = changed
@@ -143,7 +143,7 @@ class ShownPrograms:
         project = linked_name(link)
         self._keep_pace(desk)
         self._offers.setdefault(pupil, {})[desk.pupil.id] = _Offer(desk, project, bare(link))
-        shown = ShownProgram(desk.pupil.id, pupil, project)
+        shown = ShownToClassmate(desk.pupil.id, pupil, project)
         self.shown = (shown, *self.shown)[:_MOST_SHOWN]
         classmate.tell_offers()
         name = name_of(self._roster, classmate)

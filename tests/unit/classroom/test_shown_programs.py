@@ -15,7 +15,7 @@ from learnblock.classroom.show_messages import (
     ProgramOffer,
     ProgramOffers,
     ShowClassmate,
-    ShownProgram,
+    ShownToClassmate,
     ShowTeacher,
 )
 from learnblock.classroom.shown_programs import ShownPrograms
@@ -141,7 +141,7 @@ def test_a_classmate_opens_a_copy_as_the_link_that_it_came_in(allowed):
     ben = allowed.pages["Ben"]
     assert ben.news == ProgramOffers(allowed=True, offers=(ProgramOffer("a" * 10, "Ana", "Star"),))
     assert ben.orders == []
-    assert allowed.shown.shown == (ShownProgram("a" * 10, "b" * 10, "Star"),)
+    assert allowed.shown.shown == (ShownToClassmate("a" * 10, "b" * 10, "Star"),)
     allowed.answer("Ben", "Ana", on=True)
     assert ben.orders == [messages.OpenLink(text)]
     assert ben.news == ProgramOffers(allowed=True)
@@ -239,4 +239,4 @@ def test_a_pupil_who_is_deleted_is_in_no_offer_and_no_list(allowed):
     assert allowed.pages["Ben"].news.offers == ()
     assert allowed.shown.news(allowed.desk("Ana")).offers == ()
     assert [offer.name for offer in allowed.pages["Leo"].news.offers] == ["Eva"]
-    assert allowed.shown.shown == (ShownProgram("e" * 10, "l" * 10, "Square"),)
+    assert allowed.shown.shown == (ShownToClassmate("e" * 10, "l" * 10, "Square"),)

@@ -110,7 +110,7 @@ function Shown({ stream }: Pick<Props, "stream">) {
   return (
     <section class="wall-card" aria-label={t("page-class-shown")}>
       <Title icon="share" text={t("page-class-shown")} />
-      <ul class="dim">
+      <ul class="wall-shown dim">
         {shown.map(({ pupil, classmate, project }, i) => (
           <li key={i}>{t("page-class-shown-to", { name: name(pupil), classmate: name(classmate), project })}</li>
         ))}

@@ -4,6 +4,7 @@ import json
 import random
 import zlib
 from base64 import urlsafe_b64encode
+from contextlib import suppress
 
 import pytest
 
@@ -21,6 +22,7 @@ from learnblock.project.files.share_link import (
     ProvedRun,
     SharedProject,
     link_of,
+    linked_name,
     read_link,
 )
 from learnblock.runtime.ending import How
@@ -144,6 +146,16 @@ def test_deep_json_inside_is_refused():
         read_link(linked(deep))
 
 
+def test_the_name_is_read_without_the_project():
+    assert linked_name(ADDRESS + link_of(SQUARE)) == "Square 2"
+    unreadable = linked({"name": "Square", "project": "none"})
+    assert linked_name(unreadable) == "Square"
+    with pytest.raises(LearnBlockError):
+        read_link(unreadable)
+    with pytest.raises(LearnBlockError):
+        linked_name(linked({"name": "a/b", "project": {}}))
+
+
 def test_changed_links_and_changed_contents_raise_only_our_errors():
     chance = random.Random(11)  # noqa: S311
     link = link_of(SQUARE)
@@ -155,7 +167,6 @@ def test_changed_links_and_changed_contents_raise_only_our_errors():
             ADDRESS + mutated(link, corpus, chance),
             linked(mutated(content, corpus, chance).encode("utf-8", "replace")),
         ):
-            try:
-                read_link(text)
-            except LearnBlockError:
-                continue
+            for read in (linked_name, read_link):
+                with suppress(LearnBlockError):
+                    read(text)
