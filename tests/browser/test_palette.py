@@ -42,6 +42,9 @@ def phone(sit_down, server):
     return sit_down(server, stage="starter", viewport=PHONE, has_touch=True, empty=True)
 
 
+#: A window with the layout of a computer.
+WIDE = {"width": 1024, "height": 768}
+
 #: What a group offers; a pupil who has made no block yet finds only a button in *My blocks*.
 OFFERED = ".blocklyBlockCanvas > .blocklyBlock, .blocklyFlyoutButton"
 #: The sentences of those that the open palette does not show whole beside its scroll bar.
@@ -151,17 +154,17 @@ def test_on_a_phone_the_search_finds_a_block_and_a_tap_adds_it(phone):
     expect(phone.blocks("lb_main").locator(".lb_skill_sleep")).to_be_visible()
 
 
-def test_turned_to_a_wide_screen_the_palette_is_beside_the_program_again(phone):
+def test_on_a_wide_screen_the_palette_is_beside_the_program_again(phone):
     add(phone, "Move", "lb_skill_turn")
-    phone.page.set_viewport_size({"width": 844, "height": 390})
+    phone.page.set_viewport_size(WIDE)
     expect(phone.page.locator(".blocklyToolbox[layout=v]")).to_be_visible()
     expect(phone.blocks("lb_main").locator(".lb_skill_turn")).to_be_visible()
 
 
-def test_turned_right_after_an_edit_the_program_keeps_it(phone):
+def test_widened_right_after_an_edit_the_program_keeps_it(phone):
     phone.page.evaluate(SLOW_FRAMES)
     add(phone, "Move", "lb_skill_turn")
-    phone.page.set_viewport_size({"width": 844, "height": 390})
+    phone.page.set_viewport_size(WIDE)
     expect(phone.page.locator(".blocklyToolbox[layout=v]")).to_be_visible()
     expect(phone.page.get_by_role("region", name="Same step")).to_contain_text("turn")
     expect(phone.blocks("lb_main").locator(".lb_skill_turn")).to_be_visible()
