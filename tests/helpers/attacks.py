@@ -143,14 +143,27 @@ def try_shared(attacks: list[Attack], targets: Targets) -> dict[str, str]:
     """
     program = Program("attack.py", _source(attacks, targets), "")
     job = Job(program, robots.find("sim-ebo"), Options(world="empty"))
-    with patch.object(batch.subprocess, "Popen", _start_for_all):
-        warm = WarmProcess()
+    warm = process_for_all()
     try:
         [(_, result)] = Batch([job], kept=warm).results()
     finally:
         warm.end()
     assert (result.isolated, result.report.error) == (False, None)
     return dict(json.loads(text) for text in result.report.output.splitlines())
+
+
+def process_for_all() -> WarmProcess:
+    """A process that lets every program share that of its host."""
+    with patch.object(batch.subprocess, "Popen", _start_for_all):
+        return WarmProcess()
+
+
+def children(process: WarmProcess) -> list[int]:
+    """The numbers of the processes that it has forked or started, and that have not ended."""
+    number = process._process.pid
+    with suppress(OSError):
+        return [*map(int, Path(f"/proc/{number}/task/{number}/children").read_text().split())]
+    return []
 
 
 def _start_for_all(command: list[str], **settings: Any) -> "subprocess.Popen[bytes]":

@@ -13,8 +13,9 @@ from learnblock.i18n import Phrase, translate
 from learnblock.running import Options, ProgramRun, Report
 from learnblock.running.batch import Batch, WarmProcess, checked_result
 from learnblock.running.job import Job
+from learnblock.running.making import Prints
 from learnblock.running.result import RunResult, packed
-from learnblock.running.warm import Prints, is_shared
+from learnblock.running.warm import is_shared
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.program import Program

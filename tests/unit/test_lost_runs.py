@@ -5,13 +5,13 @@ import signal
 import socket
 import subprocess
 import sys
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import replace
-from pathlib import Path
 from threading import Event, Thread
 
 import pytest
 
+from attacks import children
 from learnblock import robots
 from learnblock.running import Options, warm
 from learnblock.running.batch import Batch, WarmProcess
@@ -44,17 +44,16 @@ def kept():
 
 
 @contextmanager
-def killer(process, times):
-    """Kill the first children that a process has from now on."""
+def killer(process, times, spared=()):
+    """Kill the first children that a process has from now on, or waiting, other than these."""
 
     def kill():
         killed = set()
         while len(killed) < times and not over.is_set():
-            for child in set(children(process)) - killed - before:
+            for child in set(children(process)) - killed - set(spared):
                 killed.add(child)
                 os.kill(child, signal.SIGKILL)
 
-    before = set(children(process))
     over = Event()
     thread = Thread(target=kill)
     thread.start()
@@ -65,19 +64,12 @@ def killer(process, times):
         thread.join()
 
 
-def children(process):
-    number = process._process.pid
-    with suppress(OSError):
-        return [*map(int, Path(f"/proc/{number}/task/{number}/children").read_text().split())]
-    return []
-
-
 @pytest.mark.parametrize("isolated", [False, True])
 def test_a_run_whose_process_is_killed_is_made_again(kept, isolated):
     driving = replace(DRIVING, isolated=isolated)
-    # It starts the fork server of isolated programs, too.
     [(_, whole)] = Batch([driving], kept=kept).results()
-    with killer(kept, 1):
+    # The fork server.
+    with killer(kept, 1, children(kept) if isolated else ()):
         [(_, result)] = Batch([driving], 1, kept=kept).results()
     assert result == whole
     assert result.isolated == isolated
@@ -87,7 +79,7 @@ def test_a_run_whose_process_is_killed_is_made_again(kept, isolated):
 def test_a_run_whose_process_is_killed_twice_is_lost_and_no_failure_of_its_program(kept):
     driving = replace(DRIVING, isolated=True)
     [*Batch([driving], kept=kept).results()]
-    with killer(kept, 2):
+    with killer(kept, 2, children(kept)):
         [(_, result)] = Batch([driving], 1, kept=kept).results()
     assert result.lost == "Killed"
     assert "not the fault of the program" in str(result.report.error["message"])

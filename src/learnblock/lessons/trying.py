@@ -20,9 +20,9 @@ from learnblock.lessons.opened import OWN_ROBOT, OpenLesson
 from learnblock.running import Options, Source
 from learnblock.running.batch import Batch
 from learnblock.running.job import Job
+from learnblock.running.making import Prints
 from learnblock.running.result import RunResult
 from learnblock.running.team import TeamRun
-from learnblock.running.warm import Prints
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.process import ProcessWorker, Worker

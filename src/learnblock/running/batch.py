@@ -18,7 +18,7 @@ from dataclasses import replace
 import msgspec
 
 from learnblock.i18n import Phrase
-from learnblock.running import warm
+from learnblock.running import making, warm
 from learnblock.running.job import Job, packed
 from learnblock.running.program_run import ProgramRun
 from learnblock.running.report import Report
@@ -92,8 +92,8 @@ class Batch:
 
     def _one_by_one(self) -> Iterator[tuple[int, RunResult]]:
         for number, job in enumerate(self.jobs):
-            watcher = warm.Prints(job.keys)
-            trace = warm.trace_of(job)
+            watcher = making.Prints(job.keys)
+            trace = making.trace_of(job)
             self._here = ProgramRun(job, watcher=watcher, trace=trace)
             report = replace(self._here.run(), output=watcher.text)
             if self._is_stopped:
@@ -113,7 +113,7 @@ class Batch:
             if self._is_stopped or not remaining:
                 return
         for number in remaining:
-            yield number, warm.lost(_PROCESS_ENDED)
+            yield number, making.lost(_PROCESS_ENDED)
 
     def _made_by(
         self, kept: "WarmProcess | None", numbers: Sequence[int]

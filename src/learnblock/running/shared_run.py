@@ -16,12 +16,13 @@ from typing import NoReturn
 
 import msgspec
 
-from learnblock.running import warm
+from learnblock.running import making, warm
 from learnblock.running.batch import CAN_FORK, checked_result
 from learnblock.running.job import Job
 from learnblock.running.program_run import ProgramRun, Standing
 from learnblock.running.report import Report
 from learnblock.running.result import RunResult, packed
+from learnblock.running.run_child import LARGEST
 from learnblock.runtime.ending import How
 from learnblock.runtime.escalation import PATIENCE
 from learnblock.runtime.watcher import Watcher
@@ -119,7 +120,7 @@ class SharedRun:
             if select.select([connection], [], [], PERIOD)[0]:
                 received = connection.recv(_CHUNK)
                 data += received
-                if not received or len(data) > warm.LARGEST:
+                if not received or len(data) > LARGEST:
                     return None
                 for message in _taken(data):
                     if isinstance(message, MadeRun):
@@ -142,7 +143,9 @@ class SharedRun:
             _keep_only(connection.fileno())
             channel = _ParentChannel(connection)
             watcher = _Prints(self.job, channel)
-            result = warm.made_together(self.job, watcher, lambda run: self._prepare(run, channel))
+            result = making.made_together(
+                self.job, watcher, lambda made: self._prepare(made, channel)
+            )
             channel.tell(MadeRun(packed(result)))
             status = 0
         finally:
@@ -183,7 +186,7 @@ class _ParentChannel:
                 self.tell(WhereNow(standing))
 
 
-class _Prints(warm.Prints):
+class _Prints(making.Prints):
     """Tells the parent what the program prints."""
 
     def __init__(self, job: Job, channel: _ParentChannel) -> None:

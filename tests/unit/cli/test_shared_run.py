@@ -22,7 +22,7 @@ COMMAND = """
 import os, sys
 from learnblock.cli import main
 from learnblock.cli import reporting
-from learnblock.running import shared_run, warm
+from learnblock.running import making, shared_run
 
 run = shared_run.SharedRun.run
 
@@ -41,7 +41,7 @@ printed = shared_run._Prints.printed
 shared_run._Prints.printed = lambda self, text: "3" in text and os._exit(1) or printed(self, text)
 """
 OPEN_FILES = """
-made = warm.made_together
+made = making.made_together
 def listed(job, prints, prepare):
     for number in os.listdir("/proc/self/fd"):
         try:
@@ -50,7 +50,7 @@ def listed(job, prints, prepare):
             # The listing itself.
             continue
     return made(job, prints, prepare)
-warm.made_together = listed
+making.made_together = listed
 """
 
 

@@ -182,7 +182,9 @@ class Grading:
 
     def _planned(self) -> Iterator[tuple[str, Piece]]:
         for handed_in in self._readable():
-            yield from self.plan.pieces(handed_in)
+            # Those that are compared come last: after all others, in the same process.
+            pieces = self.plan.pieces(handed_in)
+            yield from sorted(pieces, key=lambda keyed: keyed[1].manner == "compared")
 
     def _doubtful(self) -> Iterator[tuple[str, Piece]]:
         """The pieces of programs whose shared runs differed from isolated ones."""

@@ -98,6 +98,12 @@ def test_of_each_program_at_least_one_piece_is_compared(journal):
     assert sorted(compared) == sorted([GOOD] * 2 + [SHORT] * 2)
 
 
+def test_the_pieces_of_a_program_that_are_compared_come_after_its_others(journal):
+    fake = Fake(finished)
+    list(Grading(plan(CLASS, seeds=40), journal).run(fake.opened))
+    assert [one.manner for one in fake.pieces] == (["shared"] * 38 + ["compared"] * 2) * 2
+
+
 def test_a_program_whose_runs_differ_is_isolated_in_all_of_them(journal):
     def make(piece):
         if piece.text == SHORT and piece.manner == "compared":
