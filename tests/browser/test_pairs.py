@@ -120,7 +120,7 @@ def test_a_pupil_shows_a_project_on_the_wall_and_to_a_classmate_who_opens_a_copy
     expect(notes).to_contain_text("Ana shows you “Square”.")
     picture(ben, "14-offered")
     assert faults(SimpleNamespace(page=ben), axe) == []
-    button(notes, "Open a copy").click()
+    button(notes, "Open").click()
     expect(ben).to_have_url(re.compile("#project=Square"))
     expect(button(ben, "Run")).to_be_visible()
     expect(ana.get_by_text("Ben has opened a copy of “Square”.")).to_be_visible()

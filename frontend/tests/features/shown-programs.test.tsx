@@ -96,7 +96,7 @@ test("what classmates show is offered one after the other", async () => {
   fireEvent.click(button("Not now"));
   await tell(ben);
   screen.getByText("Ben shows you “<b>Star</b>”.");
-  fireEvent.click(button("Open a copy"));
+  fireEvent.click(button("Open"));
   await tell();
   expect(tiles()).toEqual([]);
   expect(connection.sent).toEqual([

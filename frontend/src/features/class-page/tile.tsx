@@ -56,7 +56,7 @@ export function Tile({ stream, drawing, seat, scale, isProjected, isCurrent, hin
           base={`p/${id}/`}
           scale={scale}
         />
-        {finding && <p class={state === "help" ? "tile-finding said" : "tile-finding"}>{finding}</p>}
+        {finding && <p class={state === "help" || seat.shows ? "tile-finding said" : "tile-finding"}>{finding}</p>}
         <div class="tile-tools">
           <a class="button filled" href={pageOf(seat)} target="_blank" rel="noopener opener" tabIndex={-1}>
             {t("page-class-look")}

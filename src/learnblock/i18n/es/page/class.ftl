@@ -139,7 +139,7 @@ page-class-waiting-for-you = Te esperan
 page-class-none-waiting = Nadie está esperando.
 page-class-more-wait = y { $count } más
 page-class-shows = enseña «{ $project }»
-page-class-shown = Enseñado a la clase
+page-class-shown = Programas enseñados
 page-class-shown-to = «{ $project }»: de { $name } a { $classmate }
 page-class-tried = paso { $step } · { $tries } { $tries ->
         [one] intento
