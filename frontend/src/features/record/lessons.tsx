@@ -55,7 +55,7 @@ function Row({ lesson, most, teaches }: { lesson: RecordedLesson; most: number; 
       </td>
       <td>{runs}</td>
       <td class="record-hints">
-        <i style={{ inlineSize: `${(48 * hints) / most}px` }} />
+        {hints > 0 && <i style={{ inlineSize: `${(48 * hints) / most}px` }} />}
         {hints || t("page-record-no-hints")}
       </td>
       <td>
