@@ -5,7 +5,7 @@ It runs wherever an executor puts it: in another process of this computer, or on
 
 import atexit
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from pathlib import Path
@@ -153,16 +153,16 @@ class _PieceRun:
 
     def result(self) -> Result:
         """Run the program, and judge what it did."""
-        with self.opened.world_file(self.piece.step) as world:
-            piece, tags = self.piece, dict(self.piece.tags)
-            runs = StepRuns(self.opened, piece.step, self.source, world, piece.limits, tags=tags)
-            if self._step.partners:
-                return self._in_team(runs)
-            job = self._job(runs)
-            first = self._run(replace(job, isolated=self.piece.manner == "isolated"))
-            if self.piece.manner != "compared" or first.isolated:
-                return self._of(first, "isolated" if first.isolated else "shared")
-            apart = self._run(replace(job, isolated=True))
+        piece, tags = self.piece, dict(self.piece.tags)
+        world = _world_file(piece.lesson, piece.step)
+        runs = StepRuns(self.opened, piece.step, self.source, world, piece.limits, tags=tags)
+        if self._step.partners:
+            return self._in_team(runs)
+        job = self._job(runs)
+        first = self._run(replace(job, isolated=self.piece.manner == "isolated"))
+        if self.piece.manner != "compared" or first.isolated:
+            return self._of(first, "isolated" if first.isolated else "shared")
+        apart = self._run(replace(job, isolated=True))
         same = apart.report == first.report
         return self._of(apart, "shared, same isolated" if same else DIFFERS)
 
@@ -241,16 +241,23 @@ def _forked(job: Job) -> list[tuple[int, RunResult]]:
 
 
 class _Idle(NamedTuple):
-    """The processes that no piece uses now: for runs, and what forks those of checks."""
+    """The processes that no piece uses now, for runs and what forks those of checks; and worlds.
+
+    Args:
+        runs: make the runs.
+        experts: fork the processes of checks.
+        worlds: the files of worlds, which are deleted when it is closed.
+    """
 
     runs: "SimpleQueue[WarmProcess]"
     experts: "SimpleQueue[ForkServer]"
+    worlds: ExitStack
 
 
 @cache
 def _idle() -> _Idle:
     atexit.register(end_idle)
-    return _Idle(SimpleQueue(), SimpleQueue())
+    return _Idle(SimpleQueue(), SimpleQueue(), ExitStack())
 
 
 @contextmanager
@@ -268,11 +275,13 @@ def _expert_processes() -> Iterator[ForkServer]:
 
 
 def end_idle() -> None:
-    """End the processes that were kept for further runs and checks."""
-    for idle in _idle():
+    """End the processes that were kept for further runs and checks, and delete their worlds."""
+    for idle in (_idle().runs, _idle().experts):
         with suppress(Empty):
             while True:
                 idle.get_nowait().end()
+    _world_file.cache_clear()
+    _idle().worlds.close()
 
 
 @lru_cache(maxsize=64)
@@ -299,6 +308,12 @@ def _lesson(packed_one: bytes) -> OpenLesson:
 @lru_cache(maxsize=16)
 def _world(packed_one: bytes, step: int) -> WorldDescription | None:
     return _lesson(packed_one).described_world(step)
+
+
+@cache
+def _world_file(packed_one: bytes, step: int) -> str | None:
+    """The world of a step as runs take it, the same for all pieces: it is read and drawn once."""
+    return _idle().worlds.enter_context(_lesson(packed_one).world_file(step))
 
 
 def _check_result(verdict: Verdict) -> CheckResult:

@@ -1,9 +1,11 @@
 """A grading makes each piece once, keeps it, and goes on where it was stopped."""
 
+import sys
 from concurrent.futures import BrokenExecutor, Executor, Future
 from contextlib import contextmanager
 from dataclasses import replace
 from importlib.metadata import version
+from pathlib import Path
 
 import pytest
 
@@ -11,6 +13,7 @@ from gradings import GOOD, LESSON, SHORT, handed_in, lesson, plan
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.lessons.expert import NoVerdictError
+from learnblock.lessons.grading import executing
 from learnblock.lessons.grading.executing import (
     ABOUT_OTHERS,
     MOST_HINTS,
@@ -22,7 +25,7 @@ from learnblock.lessons.grading.executors import Workers
 from learnblock.lessons.grading.grading import Grading
 from learnblock.lessons.grading.journal import opened_journal
 from learnblock.lessons.grading.output import PAGE, TABLE, write_results
-from learnblock.lessons.grading.plan import Plan
+from learnblock.lessons.grading.plan import Plan, planned
 from learnblock.lessons.grading.values import (
     DIFFERS,
     CheckResult,
@@ -31,6 +34,7 @@ from learnblock.lessons.grading.values import (
     Result,
     packed,
 )
+from learnblock.lessons.reading import find_lesson
 from learnblock.lessons.trying import Attempt
 
 CLASS = handed_in(ana=GOOD, bo=SHORT)
@@ -302,3 +306,25 @@ def test_another_lesson_program_or_version_is_another_piece():
     for plan_ in (other_lesson, other_version):
         keys |= {key for one in CLASS for key, _ in plan_.pieces(one)}
     assert len(keys) == 6
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux forks")
+def test_all_runs_of_a_step_share_one_file_of_the_lesson_s_own_world(monkeypatch):
+    worlds = []
+
+    def forked(job):
+        worlds.append(Path(job.options.world))
+        raise NotRunError("run-lost", reason="not wanted")
+
+    monkeypatch.setattr(executing, "_forked", forked)
+    wanted = planned(find_lesson("1-03-square"), 5, CLASS, robots=["sim-ebo"], variants=1)
+    for one in CLASS:
+        for _, piece in wanted.pieces(one):
+            with pytest.raises(NotRunError):
+                run_piece(piece)
+    assert len(worlds) == 4
+    assert len(set(worlds)) == 1
+    assert worlds[0].is_file()
+
+    end_idle()
+    assert not worlds[0].exists()
