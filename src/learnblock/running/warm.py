@@ -13,6 +13,7 @@ import struct
 import sys
 from collections import deque
 from collections.abc import Iterator, Sequence
+from contextlib import ExitStack
 from functools import lru_cache
 from importlib import import_module
 from pkgutil import iter_modules
@@ -82,7 +83,10 @@ def main() -> None:
     gc.set_threshold(_UNCOLLECTED)
     programs, is_frozen = ForkServer(), False
     idle: list[RunChild] = []
-    with connection.makefile("rb") as stream:
+    with ExitStack() as ending:
+        stream = ending.enter_context(connection.makefile("rb"))
+        # They would end with us, but nobody could say what they have used.
+        ending.callback(lambda: [child.end() for child in idle])
         while length := stream.read(8):
             jobs, at_once = unpacked(stream.read(int.from_bytes(length)))
             for job in jobs:
