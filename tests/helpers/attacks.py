@@ -479,11 +479,27 @@ NOT_CONTAINED = _group(
 #: What a program could do besides, if it got out of the language in a process that it shares with
 #: its host, which reads the settings and sends the result; named in docs/containment.md.
 NOT_CONTAINED_IF_SHARED = {"read the settings with passwords", "inherit a file of the server"}
-#: A process that is shared with the host has its own result's pipe, and nothing of other runs.
-BESIDE = _group(
-    START,
-    find_the_results_of_others=(
-        "found = [n for n in range(3, 64) if libc.fcntl(n, 1) != -1]\n"
-        "if len(found) == 1: raise Refused('only its own')"
-    ),
-)
+
+
+def _beside(own: str) -> list[Attack]:
+    """What a program could find of others.
+
+    Args:
+        own: how its process may use the descriptors that it has.
+    """
+    return _group(
+        START,
+        find_the_results_of_others=(
+            "import fcntl, os\n"
+            "found = [n for n in range(3, 64) if libc.fcntl(n, 1) != -1]\n"
+            "uses = sorted(libc.fcntl(n, fcntl.F_GETFL) & os.O_ACCMODE for n in found)\n"
+            f"if uses == [{own}]: raise Refused('only its own')"
+        ),
+    )
+
+
+#: A program in a process of its own has a connection with its host.
+BESIDE = _beside("os.O_RDWR")
+#: One that shares that of its host has a pipe from which its further runs come, and one for all
+#: results.
+BESIDE_IF_SHARED = _beside("os.O_RDONLY, os.O_WRONLY")
