@@ -25,8 +25,8 @@ any other expression, several in a line     RawExpression, Raw              the 
 ==========================================  ==============================  ======================
 
 `imports.py` names a library's module. `forms.py` splits a line that stays Python into words and
-values, for blocks. `scopes.py` decides whether the local variables of functions could be shared.
-`generation.py` puts a whole program together, with a map of its lines (`source_map.py`), or the
-functions of a library. `parsing.py` parses a file; `syntax_errors.py` and `foreign_lines.py`
-explain what is no Python.
+values, for blocks; `quotes.py` keeps its f-strings readable by every version. `scopes.py` decides
+whether the local variables of functions could be shared. `generation.py` puts a whole program
+together, with a map of its lines (`source_map.py`), or the functions of a library. `parsing.py`
+parses a file; `syntax_errors.py` and `foreign_lines.py` explain what is no Python.
 """

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from learnblock.language.blocktext import names
 from learnblock.language.blocktext.names import state_of
 from learnblock.language.blocktext.nested_reader import MAX_HEIGHT
+from learnblock.language.python.quotes import are_for_every_python
 from learnblock.language.tree import texts
 from learnblock.language.tree.builtins import TEMPLATES, is_builtin, recognized
 from learnblock.language.tree.nodes import (
@@ -302,7 +303,7 @@ class ExpressionReader:
 
 def _on_one_line(node: ast.AST) -> str:
     text = ast.unparse(node)
-    if "\n" in text:
+    if "\n" in text or not are_for_every_python(text):
         raise Unlike
     return text
 

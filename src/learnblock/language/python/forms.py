@@ -10,6 +10,7 @@ from functools import lru_cache
 from itertools import zip_longest
 from typing import NamedTuple
 
+from learnblock.language.python.quotes import are_for_every_python
 from learnblock.language.tree.loads import parsed
 
 #: The values that have sockets for the values in them; others are one socket with Python.
@@ -117,7 +118,9 @@ def filled(words: Sequence[str], texts: Sequence[str], split: Split) -> str:
     for spellings in _spellings(texts, values):
         plain = _joined(words, spellings)
         form = split(plain)
-        if form is not None and form.words == tuple(words) and _same(form.values, values):
+        if form is None or form.words != tuple(words) or not _same(form.values, values):
+            continue
+        if are_for_every_python(plain):
             return plain
     return _joined(words, _in_brackets(texts))
 
