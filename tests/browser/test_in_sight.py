@@ -140,6 +140,15 @@ def test_a_phone_shows_the_first_ten_blocks_beside_task_world_and_run(
     reader.pupil.picture(f"ten-{language}")
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_phone_on_its_side_shows_a_question_with_all_answers(own_server, sit_down, language):
+    reader = Reader(sit_down, own_server, "phone", language, flat=True, has_touch=True)
+    reader.page.set_viewport_size({"width": 844, "height": 390})
+    reader.open("1-03-square")
+    wanted = f"{TASK}, {RUN}"
+    reader.page.wait_for_function(f"(wanted) => ({CUT})(wanted).length === 0", arg=wanted)
+
+
 #: Whether the button of the block set shows its whole title, or only its icon.
 WHOLE_TITLE = """() => {
     const title = document.querySelector(".shown-blocks span");
