@@ -46,7 +46,7 @@ if TYPE_CHECKING:
 @click.option("--teachers", metavar="GROUP", help="With --hub: the group of the teachers.")
 @click.option("--delete", is_flag=True, help="Delete the class with everything its pupils made.")
 def class_command(name: str, folder: Path | None, *, delete: bool, **choices: Any) -> None:
-    r"""Open a class: pupils join it by a word, from any device in the room.
+    """Open a class: pupils join it by a word, from any device in the room.
 
     It prints the address for pupils and the join word, and opens the teacher's wall. Each pupil has
     a first name and four pictures instead of an account, and a LearnBlock of their own on this
@@ -55,7 +55,7 @@ def class_command(name: str, folder: Path | None, *, delete: bool, **choices: An
     \b
     learnblock class 7b
     learnblock class 7b --tls
-    """
+    """  # noqa: D301 - click wants the character itself
     from learnblock.classroom.roster import class_folder  # noqa: PLC0415 - `--help` needs it not
 
     folder = folder or class_folder(name)

@@ -1,6 +1,7 @@
 """The command line, as people and scripts use it."""
 
 import hashlib
+import inspect
 import itertools
 import json
 import os
@@ -52,7 +53,7 @@ def test_help_shows_every_command_and_how_to_start():
 def described(commands, path=()):
     """Return every command by its path, with the lines of its help."""
     for name, command in commands.items():
-        yield (*path, name), (command.help or "").splitlines()
+        yield (*path, name), inspect.cleandoc(command.help or "").splitlines()
         if isinstance(command, click.Group):
             yield from described(command.commands, (*path, name))
 
