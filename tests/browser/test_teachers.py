@@ -29,6 +29,8 @@ def test_a_class_is_started_with_a_button_and_its_lesson_waits_for_the_pupils(
     word = wall.locator(".join-word").inner_text()
     child, _ = join(desk, wall.url.removesuffix("/teacher"), word, "Ana")
     expect(child.get_by_text("Turn a corner").first).to_be_visible()
+    # It asks the class for the text's code, which is gone when the class is closed.
+    expect(child.locator(".lesson-text")).to_be_visible()
     teacher.picture("teachers")
     button(page, "Close").click()
     expect(page.get_by_text("1 pupil · last used today")).to_be_visible()

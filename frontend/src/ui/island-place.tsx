@@ -3,8 +3,8 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 
-import { t } from "../i18n";
 import type { Island } from "./island";
+import { PartFailed } from "./loaded-later";
 
 interface Resizable extends Island {
   resize?(): void;
@@ -33,11 +33,7 @@ export function IslandPlace<Kind extends Resizable>({ load, ready }: Props<Kind>
   }, []);
   return (
     <>
-      {failed.value && (
-        <p class="island-failed" role="alert">
-          {t("page-shell-part-failed")}
-        </p>
-      )}
+      {failed.value && <PartFailed />}
       <div class="island" ref={place} />
     </>
   );

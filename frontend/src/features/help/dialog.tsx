@@ -12,7 +12,7 @@ import { IslandPlace } from "../../ui/island-place";
 import { plain } from "../../ui/plain";
 import type { BlockSearch, FoundBlock } from "../../views/blocks/help-search";
 import { inLanguage } from "../lessons/lessons";
-import type { MarkdownPart } from "../lessons/markdown";
+import { Markdown } from "../lessons/markdown-later";
 import { blocksOf } from "./blocks-of";
 import { docs, matching, type Section } from "./docs";
 import "./help.css";
@@ -246,16 +246,11 @@ function OneBlock({ found, search }: { found: FoundBlock; search: BlockSearch })
 
 function Doc({ section: { page, heading, text } }: { section: Section }) {
   const open = useExamples();
-  const Markdown = useSignal<MarkdownPart | null>(null);
-  useEffect(() => {
-    void import("../lessons/markdown").then((part) => (Markdown.value = part.Markdown));
-  }, []);
-  const Part = Markdown.value;
   return (
     <article lang="en">
       <h3>{heading}</h3>
       {page !== heading && <p class="dim">{page}</p>}
-      {Part && <Part text={text} lesson="" drawings={{}} blocksOf={blocksOf} open={open} />}
+      <Markdown text={text} lesson="" drawings={{}} blocksOf={blocksOf} open={open} />
     </article>
   );
 }

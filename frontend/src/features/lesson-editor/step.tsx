@@ -1,8 +1,5 @@
 /** A step of a lesson: its text, its program and world, its checks, hints and question. */
 
-import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
-
 import { language, t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { choice } from "../../ui/form/choice";
@@ -10,7 +7,7 @@ import { FormField } from "../../ui/form/field";
 import { titleOf } from "../block-sets/block-sets";
 import type { Phase, StepContent } from "../lessons/lesson-edit";
 import { inLanguage } from "../lessons/lessons";
-import type { MarkdownPart } from "../lessons/markdown";
+import { Markdown } from "../lessons/markdown-later";
 import { Checks } from "./checks";
 import { Hints } from "./hints";
 import { Translated } from "./inputs";
@@ -82,11 +79,6 @@ export function Step({ step, index }: Props) {
 /** The text in Markdown, and beside it what pupils see. */
 function Instructions({ step, index }: Props) {
   const making = usePage().lessonMaking;
-  const markdown = useSignal<{ readonly Part: MarkdownPart } | null>(null);
-  useEffect(() => {
-    void import("../lessons/markdown").then(({ Markdown }) => (markdown.value = { Part: Markdown }));
-  }, []);
-  const Preview = markdown.value?.Part;
   const shown = step.text[making.writing.value] || inLanguage(step.text);
   return (
     <div class="maker-beside">
@@ -100,8 +92,8 @@ function Instructions({ step, index }: Props) {
       />
       <section class="maker-preview" aria-label={t("page-maker-preview")}>
         <h3>{t("page-maker-preview")}</h3>
-        {Preview && shown ? (
-          <Preview
+        {shown ? (
+          <Markdown
             text={shown}
             lesson={making.draft.value?.lesson ?? ""}
             drawings={making.examined.value.drawings ?? {}}

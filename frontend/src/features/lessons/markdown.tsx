@@ -2,7 +2,7 @@
 
 import { useSignal } from "@preact/signals";
 import { lexer, type Token, type Tokens } from "marked";
-import type { ComponentChildren, FunctionComponent } from "preact";
+import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
 
 import { t } from "../../i18n";
@@ -23,9 +23,6 @@ interface Props {
   /** Opens the Block-Text of a whole program as a project; nothing without it. */
   readonly open?: (program: string) => void;
 }
-
-/** The component `Markdown`, which is loaded when it is needed. */
-export type MarkdownPart = FunctionComponent<Props>;
 
 /** The depth of lists and quotes that is shown. */
 const DEEPEST = 12;

@@ -1,6 +1,5 @@
 /** What a lesson has for the teacher: notes, the solution of each step, and typical wrong programs. */
 
-import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 
 import { t } from "../../i18n";
@@ -9,7 +8,7 @@ import { usePage } from "../../model/page";
 import type { LessonNotes, SolvedStep, WrongProgram } from "../../protocol/messages";
 import { Dialog } from "../../ui/dialog";
 import { inLanguage, sayWords } from "./lessons";
-import type { MarkdownPart } from "./markdown";
+import { Markdown } from "./markdown-later";
 import "./notes.css";
 
 interface Props {
@@ -19,16 +18,11 @@ interface Props {
 export function LessonNotesDialog({ of: { lessonNotes, title } }: Props) {
   const { dialogs, lessons } = usePage();
   const save = () => lessons.saveWorksheet(lessonNotes);
-  const markdown = useSignal<{ readonly Part: MarkdownPart } | null>(null);
-  useEffect(() => {
-    lessons.readNotes(lessonNotes);
-    void import("./markdown").then(({ Markdown }) => (markdown.value = { Part: Markdown }));
-  }, [lessonNotes]);
+  useEffect(() => lessons.readNotes(lessonNotes), [lessonNotes]);
   const notes = lessons.notes.value;
-  const Part = markdown.value?.Part;
   return (
     <Dialog title={t("page-lesson-notes-title", { title })} close={() => dialogs.close()} size="large">
-      {notes && Part && <Notes notes={notes} Part={Part} />}
+      {notes && <Notes notes={notes} />}
       <div class="actions">
         <button type="button" class="button bordered" onClick={save} title={t("page-lesson-worksheet-help")}>
           {t("page-lesson-worksheet")}
@@ -38,14 +32,14 @@ export function LessonNotesDialog({ of: { lessonNotes, title } }: Props) {
   );
 }
 
-function Notes({ notes: of, Part }: { notes: LessonNotes; Part: MarkdownPart }) {
+function Notes({ notes: of }: { notes: LessonNotes }) {
   const { lesson, notes = {}, drawings = {}, steps = [] } = of;
   const text = withoutTitle(inLanguage(notes));
   const solved = steps.some(({ solution, wrong }) => solution || wrong?.length);
   if (!text && !solved) return <p class="dim">{t("page-lesson-notes-none")}</p>;
   return (
     <div class="lesson-notes">
-      {text && <Part text={text} lesson={lesson} drawings={drawings} />}
+      {text && <Markdown text={text} lesson={lesson} drawings={drawings} />}
       {steps.map((step, index) => (
         <Step key={index} number={index + 1} step={step} />
       ))}

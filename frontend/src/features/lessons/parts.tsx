@@ -1,6 +1,6 @@
 /** What a lesson consists of, wherever it is shown: its place, text, task, goals and buttons. */
 
-import { useComputed, useSignal } from "@preact/signals";
+import { useComputed } from "@preact/signals";
 import type { ComponentChildren, RefObject } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 
@@ -14,7 +14,7 @@ import { Goals } from "./goals";
 import { HandInButton } from "./hand-in";
 import { Hints } from "./hints";
 import { inLanguage } from "./lessons";
-import type { MarkdownPart } from "./markdown";
+import { Markdown } from "./markdown-later";
 import { Puzzle } from "./puzzle";
 import { CheckAnswer, Quiz, QuizResult } from "./quiz";
 import { useRoomForResult } from "./room-for-result";
@@ -93,10 +93,6 @@ interface TextProps {
 }
 
 function TextPlace({ shown, place, children }: TextProps) {
-  const markdown = useSignal<{ readonly Part: MarkdownPart } | null>(null);
-  useEffect(() => {
-    void import("./markdown").then(({ Markdown }) => (markdown.value = { Part: Markdown }));
-  }, []);
   const { context } = usePage();
   const open = (program: string) => context.openExample(program);
   const { name = "", step = 1, text = "", drawings = {} } = shown;
@@ -104,11 +100,10 @@ function TextPlace({ shown, place, children }: TextProps) {
   useEffect(() => {
     if (place.current) place.current.scrollTop = 0;
   }, [name, step]);
-  const Part = markdown.value?.Part;
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it
     <div id="lesson-body" class="lesson-body" ref={place} tabIndex={0} role="group" aria-label={t("page-lesson-text")}>
-      {Part && <Part key={`${name} ${step}`} text={inLanguage(text)} lesson={name} drawings={drawings} open={open} />}
+      <Markdown key={`${name} ${step}`} text={inLanguage(text)} lesson={name} drawings={drawings} open={open} />
       {children}
     </div>
   );
