@@ -10,8 +10,9 @@ _PACKAGES = tuple(
     for package in ("client", "devices", "perception", "robots", "runtime", "simulator", "skills")
 )
 _OF_PYTHON = ("builtins", "math", "random", "statistics", "time")
-#: What msgspec adds to a class when it first encodes an object of it.
-_ADDED = frozenset({"__msgspec_cache__"})
+#: What msgspec adds to a class when it first encodes an object of it, and Python 3.14 (PEP 649)
+#: when somebody asks for its annotations.
+_ADDED = frozenset({"__msgspec_cache__", "__annotate_func__", "__annotations_cache__"})
 _MISSING = object()
 
 _Names = Mapping[str, Any]
