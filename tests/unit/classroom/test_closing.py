@@ -78,6 +78,10 @@ def test_a_class_says_that_it_saves_and_closes(room):
     assert "# edited" in saved(pupil, "mine")
 
 
+def is_saved(pupil, number):
+    return "# edited" in saved(pupil, f"program {number}")
+
+
 def test_a_class_closes_although_a_pupils_server_has_no_memory_left(room):
     pupil = room.pupil("Ada")
     with contextlib.ExitStack() as pages:
@@ -89,6 +93,7 @@ def test_a_class_closes_although_a_pupils_server_has_no_memory_left(room):
         for page in opened[1:]:
             # Its edit is kept, whatever becomes of it.
             page.type(ENDLESS + "# edited\n")
+        wait_for(lambda: all(is_saved(pupil, number) for number in (1, 2, 3)), "saved edits")
         server = server_of(room)
         used = Path(f"/proc/{server}/status").read_text().partition("VmData:")[2].split()[0]
         resource.prlimit(server, resource.RLIMIT_DATA, (int(used) * 1024,) * 2)
@@ -98,7 +103,7 @@ def test_a_class_closes_although_a_pupils_server_has_no_memory_left(room):
         said, seconds = say_nothing_more(room)
     # By its own time limits, 8 s together: it was not killed, and had saved before.
     assert ("Everything is saved" in said, seconds < Patience().asked) == (True, True)
-    assert all("# edited" in saved(pupil, f"program {number}") for number in (1, 2, 3))
+    assert all(is_saved(pupil, number) for number in (1, 2, 3))
 
 
 def test_a_second_ctrl_c_closes_a_class_with_a_server_that_hangs(room):
