@@ -47,6 +47,8 @@ def test_a_game_is_made_from_an_empty_project_and_won(sit_down, server):
     expect(pupil.block(forward).locator(".lb_skill_drive_distance")).to_have_count(1)
     expect(pupil.block(star).locator(".lb_skill_win_game")).to_have_count(1)
     pupil.press("Run")
+    # The score may be shown a moment before the world has the keys.
+    expect(pupil.page.locator(".world-hint")).to_have_text("The program listens to space.")
     expect(pupil.page.get_by_role("img", name="Score: 0")).to_be_visible()
     pupil.page.keyboard.down("Space")
     end = pupil.page.get_by_role("region", name="You win")
