@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 
-import { render } from "preact";
+import { type FunctionComponent, render } from "preact";
 import { act } from "preact/test-utils";
 import { expect, test, vi } from "vitest";
 
@@ -8,7 +8,7 @@ import { loadedLater } from "../../src/ui/loaded-later";
 
 const Name = ({ name }: { name: string }) => <b>{name}</b>;
 
-async function shown(Part: typeof Name): Promise<HTMLElement> {
+async function shown(Part: FunctionComponent<{ name: string }>): Promise<HTMLElement> {
   const place = document.createElement("div");
   await act(() => render(<Part name="Ada" />, place));
   return place;
