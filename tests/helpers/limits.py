@@ -3,7 +3,7 @@
 pytest-timeout ends a test after ``timeout`` seconds (pyproject.toml, or its marker). This adds the
 stacks of all threads to its report, and the names of the processes that the test started, which are
 ended. Each try of a test and each clean-up has the whole time. A worker that hangs where no signal
-reaches it ends ``GRACE`` seconds after both, again with the stacks of all threads.
+reaches it ends ``GRACE`` seconds after the time of both, again with the stacks of all threads.
 """
 
 import contextlib

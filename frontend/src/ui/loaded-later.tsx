@@ -33,7 +33,7 @@ export function loadedLater<Props extends object>(
   };
 }
 
-/** Stands where a part of the page can't be loaded, as when its server is gone. */
+/** Shown in place of a part of the page that can't be loaded, for example because its server is gone. */
 export function PartFailed() {
   return (
     <p class="island-failed" role="alert">

@@ -2,7 +2,7 @@
 
 import asyncio
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Protocol, assert_never
 
@@ -345,15 +345,15 @@ class Desk:
 
     def tell_pair(self, *pages: DeskPage) -> None:
         """Tell pages of the pupil, by default all, with whom the pupil plays."""
-        if self.sharing:
-            news = self.sharing.news(self)
-            for page in pages or self.own_pages:
-                page.tell(news)
+        self._tell_own(self.sharing, pages)
 
     def tell_offers(self, *pages: DeskPage) -> None:
         """Tell pages of the pupil, by default all, what classmates show."""
-        if self.showing:
-            news = self.showing.news(self)
+        self._tell_own(self.showing, pages)
+
+    def _tell_own(self, source: Sharing | Showing | None, pages: Sequence[DeskPage]) -> None:
+        if source:
+            news = source.news(self)
             for page in pages or self.own_pages:
                 page.tell(news)
 

@@ -9,7 +9,12 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Literal, Protocol, assert_never
 
-from learnblock.classroom.classmates import classmates_here, name_of
+from learnblock.classroom.classmates import (
+    Refusals,
+    classmate_here,
+    classmates_here,
+    name_of,
+)
 from learnblock.classroom.desk import Desk, DeskPage
 from learnblock.classroom.limits import INVITING
 from learnblock.classroom.pair_messages import (
@@ -29,9 +34,8 @@ from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server import messages
 
-#: Seconds for which an invitation waits for its answer, and after which a pupil who has declined
-#: one may be invited by the same pupil again.
-_WAITING, _PAUSE = 60.0, 60.0
+#: Seconds for which an invitation waits for its answer.
+_WAITING = 60.0
 #: Seconds after which a pupil without pages has left.
 _GRACE = 20.0
 #: What to say to the host about a project without a robot for a guest.
@@ -114,11 +118,9 @@ class Pairs:
         self.allowed = False
         self._roster = roster
         self._desks = desks
-        self._now = now
         self._pairs: list[PupilPair] = []
         self._invitations = Buckets(INVITING, now)
-        #: When an invitation was declined, by host and guest.
-        self._declined: dict[tuple[str, str], float] = {}
+        self._refusals = Refusals(now)
         self._leaving: dict[str, asyncio.TimerHandle] = {}
         self._ending: set[asyncio.Task[None]] = set()
 
@@ -196,15 +198,11 @@ class Pairs:
         self._require_allowed()
         if self.of(desk):
             raise LearnBlockError("class-pair-already")
-        guest = self._desks.get(pupil)
-        if guest is None or guest is desk or not guest.own_pages:
-            raise LearnBlockError("class-pair-nobody")
+        guest = classmate_here(self._roster, self._desks, desk, pupil)
         name = self._name(guest)
         if self.of(guest):
             raise LearnBlockError("class-pair-busy", name=name)
-        declined = self._declined.get((desk.pupil.id, pupil))
-        if declined is not None and self._now() - declined < _PAUSE:
-            raise LearnBlockError("class-pair-just-declined", name=name)
+        self._refusals.require_none(desk, guest, name)
         return guest
 
     async def _answer(self, desk: Desk, page: DeskPage, *, on: bool) -> None:
@@ -218,7 +216,7 @@ class Pairs:
             pair.page = page
             self._tell(pair)
             return
-        self._declined[pair.host.pupil.id, desk.pupil.id] = self._now()
+        self._refusals.add(pair.host, desk)
         await self._end(pair)
         pair.host.note(Phrase("class-pair-declined", name=self._name(desk)))
 

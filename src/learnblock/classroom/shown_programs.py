@@ -9,7 +9,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import assert_never
 
-from learnblock.classroom.classmates import classmates_here, name_of
+from learnblock.classroom.classmates import (
+    Refusals,
+    classmate_here,
+    classmates_here,
+    name_of,
+)
 from learnblock.classroom.desk import Desk, DeskPage
 from learnblock.classroom.limits import MOST_OFFERS, SHOWING
 from learnblock.classroom.pair_messages import Classmates
@@ -30,8 +35,6 @@ from learnblock.i18n import Phrase
 from learnblock.project.files.share_link import bare, linked_name
 from learnblock.server import messages
 
-#: Seconds after which a classmate who has declined may be shown a program by the same pupil again.
-_PAUSE = 60.0
 #: How many of the programs that pupils have shown each other the wall has.
 _MOST_SHOWN = 5
 
@@ -75,11 +78,9 @@ class ShownPrograms:
         self._roster = roster
         self._desks = desks
         self._changed = changed
-        self._now = now
         #: What waits for an answer, by the ids of the classmate and of the pupil who shows it.
         self._offers: dict[str, dict[str, _Offer]] = {}
-        #: When an offer was declined, by pupil and classmate.
-        self._declined: dict[tuple[str, str], float] = {}
+        self._refusals = Refusals(now)
         self._paces = Buckets(SHOWING, now)
 
     def news(self, desk: Desk) -> ProgramOffers:
@@ -156,13 +157,9 @@ class ShownPrograms:
         Raises:
             LearnBlockError: the classmate can't, or not now.
         """
-        classmate = self._desks.get(pupil)
-        if classmate is None or classmate is desk or not classmate.own_pages:
-            raise LearnBlockError("class-pair-nobody")
+        classmate = classmate_here(self._roster, self._desks, desk, pupil)
         name = name_of(self._roster, classmate)
-        declined = self._declined.get((desk.pupil.id, pupil))
-        if declined is not None and self._now() - declined < _PAUSE:
-            raise LearnBlockError("class-pair-just-declined", name=name)
+        self._refusals.require_none(desk, classmate, name)
         offers = self._offers.get(pupil, {})
         if desk.pupil.id not in offers and len(offers) >= MOST_OFFERS:
             raise LearnBlockError("class-show-busy", name=name)
@@ -178,7 +175,7 @@ class ShownPrograms:
             await page.order(messages.OpenLink(offer.link))
             offer.desk.note(Phrase("class-show-opened", name=name, project=offer.project))
             return
-        self._declined[pupil, desk.pupil.id] = self._now()
+        self._refusals.add(offer.desk, desk)
         offer.desk.note(Phrase("class-show-declined", name=name))
 
     def _keep_pace(self, desk: Desk) -> None:

@@ -1,17 +1,17 @@
-"""Whether what runs are made of is, after a run, what it was before."""
+"""Whether a run has left our modules and classes, and Python's that it uses, as they were."""
 
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-#: The packages that a run is made of, and Python's modules that a plain program calls.
+#: The packages whose code a run executes, and Python's modules that a plain program calls.
 _PACKAGES = tuple(
     f"learnblock.{package}."
     for package in ("client", "devices", "perception", "robots", "runtime", "simulator", "skills")
 )
 _OF_PYTHON = ("builtins", "math", "random", "statistics", "time")
 #: What msgspec adds to a class when it first encodes an object of it, and Python 3.14 (PEP 649)
-#: when somebody asks for its annotations.
+#: when its annotations are first read.
 _ADDED = frozenset({"__msgspec_cache__", "__annotate_func__", "__annotations_cache__"})
 _MISSING = object()
 
@@ -19,7 +19,7 @@ _Names = Mapping[str, Any]
 
 
 class LibraryState:
-    """What the names in modules and in our classes stand for.
+    """The values of the names in modules and in our classes.
 
     A run may add names to a module, such as that of a module that it loads, but replace none.
     """
@@ -29,7 +29,7 @@ class LibraryState:
         self._classes = [(names, dict(names)) for names in map(vars, _classes(self._modules))]
 
     def is_unchanged(self) -> bool:
-        """Whether all names stand for the same as before."""
+        """Whether all names still have the same values."""
         return all(_keeps(*names) for names in self._modules) and all(
             _keeps(now, before) and (len(now) == len(before) or _adds_nothing(now, before))
             for now, before in self._classes

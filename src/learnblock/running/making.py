@@ -100,6 +100,8 @@ def made_together(
     job: Job,
     prints: Prints | None = None,
     prepare: Callable[[ProgramRun], object] = lambda _: None,
+    *,
+    is_contained: bool = False,
 ) -> RunResult:
     """The run of a plain program in this process, which is contained from now on.
 
@@ -107,23 +109,10 @@ def made_together(
         job: the run.
         prints: takes what the program prints, instead of the result.
         prepare: is called before the run.
+        is_contained: whether the process is contained already.
     """
-    contain_host(job.limits, job.options.world)
-    return made_beside(job, prints, prepare)
-
-
-def made_beside(
-    job: Job,
-    prints: Prints | None = None,
-    prepare: Callable[[ProgramRun], object] = lambda _: None,
-) -> RunResult:
-    """The run of a plain program in this process, which is contained already.
-
-    Args:
-        job: the run.
-        prints: takes what the program prints, instead of the result.
-        prepare: is called before the run.
-    """
+    if not is_contained:
+        contain_host(job.limits, job.options.world)
     workers: list[InlineWorker] = []
 
     def worker() -> InlineWorker:

@@ -20,7 +20,7 @@ import msgspec
 from learnblock import robots
 from learnblock.running.job import Job
 from learnblock.running.library_state import LibraryState
-from learnblock.running.making import made_beside, made_isolated
+from learnblock.running.making import made_isolated, made_together
 from learnblock.running.result import RunResult, packed
 from learnblock.runtime.containment import kernel
 from learnblock.runtime.containment.fence import contain_host
@@ -208,7 +208,7 @@ def _make_together(job: Job, results: int, orders: int, state: LibraryState) -> 
     contain_host(job.limits, job.options.world)
     memory = _memory()
     while True:
-        result = made_beside(job)
+        result = made_together(job, is_contained=True)
         goes_on = is_repeatable(job) and _is_usual(result, job, memory) and state.is_unchanged()
         _write(results, _Kind.RESULT if goes_on else _Kind.LAST, packed(result))
         if not goes_on or not (order := os.read(orders, _CHUNK)):

@@ -1,12 +1,9 @@
 """Invitations into a pupil's world, and the guest's program before each run."""
 
 import asyncio
-from types import SimpleNamespace
 
 import pytest
 
-from learnblock.classroom.desk import Desk
-from learnblock.classroom.hand_ins import HandInShelf
 from learnblock.classroom.pair_messages import (
     AnswerInvitation,
     AskClassmates,
@@ -16,69 +13,27 @@ from learnblock.classroom.pair_messages import (
     LeaveWorld,
 )
 from learnblock.classroom.pairs import Pairs
-from learnblock.classroom.roster import Pupil
 from learnblock.errors import LearnBlockError
 from learnblock.server import messages
-from learnblock.server.messages.base import Role
+from small_classroom import Classroom, FakePage
 
 GAME = messages.GuestRobot("game", "rival")
 PROGRAM = messages.ProgramGiven(messages.GivenProgram("main:\n    pass\nend\n"))
 
 
-class FakePage:
-    """A page of a pupil, or of a guest, whose server gives these answers."""
-
-    is_teacher = False
-
-    def __init__(self, *answers):
-        self.answers = {type(answer): answer for answer in answers}
-        self.told = []
-        self.asked = []
-        self.is_closed = False
-
-    @property
-    def role(self):
-        return Role.PUPIL
-
-    def tell(self, message):
-        self.told.append(message)
-
-    async def ask(self, question, answer):
-        self.asked.append(question)
-        return self.answers.get(answer)
-
-    async def send_away(self):
-        self.is_closed = True
-
+class Page(FakePage):
     @property
     def news(self):
-        return [message for message in self.told if isinstance(message, InPair)][-1]
-
-    @property
-    def notes(self):
-        return [
-            message.message.code for message in self.told if isinstance(message, messages.Noted)
-        ]
+        return self.newest(InPair)
 
 
-class Classroom:
+class PlayRoom(Classroom):
     """Three pupils, each with a page."""
 
     def __init__(self, folder):
-        self.clock = 0.0
-        pupils = [Pupil(name[0].lower() * 10, name, None, 0.0) for name in ("Ana", "Ben", "Eva")]
-        self.desks, self.pages = {}, {}
-        self.pairs = Pairs(SimpleNamespace(pupils=pupils), self.desks, lambda: self.clock)
-        shelf = HandInShelf(folder)
-        for pupil in pupils:
-            name = pupil.name
-            desk = self.desks[pupil.id] = Desk(pupil, lambda: None, shelf)
-            desk.sharing = self.pairs
-            page = self.pages[name] = FakePage(GAME, PROGRAM)
-            desk.joined(page)
-
-    def desk(self, name):
-        return next(desk for desk in self.desks.values() if desk.pupil.name == name)
+        super().__init__(("Ana", "Ben", "Eva"))
+        self.pairs = Pairs(self.roster, self.desks, lambda: self.clock)
+        self.seat(folder, lambda: Page(GAME, PROGRAM), sharing=self.pairs)
 
     async def say(self, name, message):
         await self.desk(name).heard(self.pages[name], message)
@@ -91,7 +46,7 @@ class Classroom:
         await self.pairs.let(on=True)
         await self.invite("Ana", "Ben")
         await self.say("Ben", AnswerInvitation(on=True))
-        view = FakePage(messages.GuestTaken(fits=True))
+        view = Page(messages.GuestTaken(fits=True))
         self.pairs.show(self.pairs.of(self.desk("Ana")), view)
         return view
 
@@ -104,7 +59,7 @@ class Classroom:
 
 @pytest.fixture
 def classroom(tmp_path):
-    return Classroom(tmp_path)
+    return PlayRoom(tmp_path)
 
 
 async def refusal(doing):
@@ -141,14 +96,14 @@ def test_only_classmates_who_are_here_and_free_can_be_invited(classroom):
         first = classroom.pages["Eva"].told[-1]
         await classroom.invite("Ana", "Ben")
         assert await refusal(classroom.invite("Eva", "Ben")) == "class-pair-busy"
-        assert await refusal(classroom.invite("Eva", "Eva")) == "class-pair-nobody"
+        assert await refusal(classroom.invite("Eva", "Eva")) == "class-classmate-away"
         assert await refusal(classroom.invite("Ana", "Eva")) == "class-pair-already"
         await classroom.say("Ana", LeaveWorld())
         ben = classroom.desk("Ben")
         ben.left(classroom.pages["Ben"])
         await classroom.say("Eva", AskClassmates())
         second = classroom.pages["Eva"].told[-1]
-        assert await refusal(classroom.invite("Eva", "Ben")) == "class-pair-nobody"
+        assert await refusal(classroom.invite("Eva", "Ben")) == "class-classmate-away"
         return first, second
 
     first, second = asyncio.run(ask())
@@ -171,7 +126,7 @@ def test_a_pupil_who_has_declined_is_left_alone_for_a_minute(classroom):
         codes.append(await refusal(classroom.say("Ben", AnswerInvitation(on=True))))
         return codes
 
-    assert asyncio.run(ask()) == ["class-pair-just-declined", "class-pair-no-invitation"]
+    assert asyncio.run(ask()) == ["class-classmate-declined", "class-pair-no-invitation"]
 
 
 def test_invitations_have_a_pace(classroom):
@@ -230,7 +185,7 @@ def test_a_guest_without_the_world_on_the_page_is_waited_for(classroom):
         assert classroom.pages["Ana"].news.away
         code = await refusal(classroom.run())
         # The guest's page has connected again, and so has the one with the program.
-        ben, page = classroom.desk("Ben"), FakePage(PROGRAM)
+        ben, page = classroom.desk("Ben"), Page(PROGRAM)
         ben.joined(page)
         ben.left(classroom.pages["Ben"])
         classroom.pairs.show(classroom.pairs.of(ben), view)
@@ -286,7 +241,7 @@ def test_a_pupil_who_comes_back_and_leaves_again_has_the_whole_time(classroom, m
 
     async def reload():
         await classroom.play()
-        ben, page = classroom.desk("Ben"), FakePage(PROGRAM)
+        ben, page = classroom.desk("Ben"), Page(PROGRAM)
         ben.left(classroom.pages["Ben"])
         classroom.pairs.left(ben)
         ben.joined(page)

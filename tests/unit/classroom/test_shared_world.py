@@ -267,7 +267,7 @@ def test_invitations_that_cannot_be_made(wall, guest, dan, dans, ben):
     host = dans
     for pupil in (dan.id, "aaaaaaaaaa"):
         host.say("Invite", pupil=pupil)
-        refused(host, "class-pair-nobody")
+        refused(host, "class-classmate-away")
     host.say("Invite", pupil="../../etc")
     assert host.hear("Failed", refused="Invite")["message"]["code"] == "server-message-unknown"
     host.say("Invite", pupil=ben.id)
@@ -277,7 +277,7 @@ def test_invitations_that_cannot_be_made(wall, guest, dan, dans, ben):
     guest.say("AnswerInvitation", on=False)
     assert noted(host, "class-pair-declined") == "Ben does not want to play now."
     host.say("Invite", pupil=ben.id)
-    refused(host, "class-pair-just-declined")
+    refused(host, "class-classmate-declined")
     guest.say("AnswerInvitation", on=True)
     refused(guest, "class-pair-no-invitation", "AnswerInvitation")
     guest.say("Invite", pupil=dan.id)

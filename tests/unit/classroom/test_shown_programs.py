@@ -1,14 +1,10 @@
 """Pupils show programs: to the teacher on the wall, and copies to classmates."""
 
 import asyncio
-from types import SimpleNamespace
 
 import pytest
 
-from learnblock.classroom.desk import Desk
-from learnblock.classroom.hand_ins import HandInShelf
 from learnblock.classroom.pair_messages import Classmates
-from learnblock.classroom.roster import Pupil
 from learnblock.classroom.show_messages import (
     AnswerOffer,
     AskViewers,
@@ -24,6 +20,7 @@ from learnblock.project.files.project import Project
 from learnblock.project.files.share_link import LONGEST_LINK, SharedProject, link_of
 from learnblock.server import messages
 from learnblock.server.messages.base import Role
+from small_classroom import Classroom, FakePage
 
 NAMES = ("Ana", "Ben", "Eva", "Leo", "Zoe")
 
@@ -32,52 +29,21 @@ def link(name="Square"):
     return link_of(SharedProject(Project(name, "main:\n    pass\nend\n", robot="sim-ebo")))
 
 
-class FakePage:
-    """A page of a pupil, or of the teacher."""
-
-    def __init__(self, role=Role.PUPIL):
-        self.role = role
-        self.is_teacher = role is not Role.PUPIL
-        self.told = []
-        self.orders = []
-
-    def tell(self, message):
-        self.told.append(message)
-
-    async def order(self, message):
-        self.orders.append(message)
-
+class Page(FakePage):
     @property
     def news(self):
-        return [message for message in self.told if isinstance(message, ProgramOffers)][-1]
-
-    @property
-    def notes(self):
-        return [
-            message.message.code for message in self.told if isinstance(message, messages.Noted)
-        ]
+        return self.newest(ProgramOffers)
 
 
-class Classroom:
+class ShowRoom(Classroom):
     """Pupils, each with a page that shows a project of the pupil's own."""
 
     def __init__(self, folder):
-        self.clock = 0.0
-        pupils = [Pupil(name[0].lower() * 10, name, None, 0.0) for name in NAMES]
-        self.desks, self.pages = {}, {}
-        self.shown = ShownPrograms(
-            SimpleNamespace(pupils=pupils), self.desks, lambda: None, lambda: self.clock
-        )
-        shelf = HandInShelf(folder)
-        for pupil in pupils:
-            desk = self.desks[pupil.id] = Desk(pupil, lambda: None, shelf)
-            desk.showing = self.shown
-            page = self.pages[pupil.name] = FakePage()
-            desk.joined(page)
-            self.work(pupil.name, project="Square")
-
-    def desk(self, name):
-        return self.desks[name[0].lower() * 10]
+        super().__init__(NAMES)
+        self.shown = ShownPrograms(self.roster, self.desks, lambda: None, lambda: self.clock)
+        self.seat(folder, Page, showing=self.shown)
+        for name in NAMES:
+            self.work(name, project="Square")
 
     def work(self, name, **work):
         self.desk(name).see(self.pages[name], messages.AtSeat(messages.Work(**work)))
@@ -99,7 +65,7 @@ class Classroom:
 
 @pytest.fixture
 def classroom(tmp_path):
-    return Classroom(tmp_path)
+    return ShowRoom(tmp_path)
 
 
 @pytest.fixture
@@ -118,11 +84,11 @@ def test_the_wall_shows_a_project_until_the_teacher_looks(classroom):
     classroom.work("Ana", project="Other")
     ana.renamed(classroom.pages["Ana"], "Another")
     assert ana.seat().shows == "Spiral"
-    ana.joined(FakePage(Role.WATCHER))
+    ana.joined(Page(role=Role.WATCHER))
     assert (ana.seat().shows, ana.seat().shows_since) == ("", 0)
     assert classroom.pages["Ana"].notes == ["class-show-teacher", "class-show-seen"]
     # The next look is nothing new.
-    ana.joined(FakePage(Role.WATCHER))
+    ana.joined(Page(role=Role.WATCHER))
     assert classroom.pages["Ana"].notes == ["class-show-teacher", "class-show-seen"]
 
 
@@ -151,7 +117,7 @@ def test_a_classmate_opens_a_copy_as_the_link_that_it_came_in(allowed):
 
 def test_a_page_that_connects_again_has_the_offers(allowed):
     allowed.show("Ana", "Ben")
-    page = FakePage()
+    page = Page()
     allowed.desk("Ben").joined(page)
     assert [offer.project for offer in page.news.offers] == ["Square"]
 
@@ -161,7 +127,7 @@ def test_a_classmate_who_has_declined_is_left_alone_for_a_minute(allowed):
     allowed.answer("Ben", "Ana", on=False)
     assert allowed.pages["Ben"].orders == []
     assert allowed.pages["Ana"].notes[-1] == "class-show-declined"
-    assert allowed.refusal(allowed.show, "Ana", "Ben") == "class-pair-just-declined"
+    assert allowed.refusal(allowed.show, "Ana", "Ben") == "class-classmate-declined"
     allowed.show("Ana", "Eva")
     allowed.clock = 61
     allowed.show("Ana", "Ben")
@@ -180,11 +146,11 @@ def test_classmates_see_nothing_until_the_teacher_allows_it(classroom):
 
 
 def test_only_classmates_who_are_here_are_shown_a_program(allowed):
-    assert allowed.refusal(allowed.show, "Ana", "Ana") == "class-pair-nobody"
+    assert allowed.refusal(allowed.show, "Ana", "Ana") == "class-classmate-away"
     allowed.desk("Ben").left(allowed.pages["Ben"])
-    assert allowed.refusal(allowed.show, "Ana", "Ben") == "class-pair-nobody"
+    assert allowed.refusal(allowed.show, "Ana", "Ben") == "class-classmate-away"
     unknown = ShowClassmate("x" * 10, link())
-    assert allowed.refusal(allowed.say, "Ana", unknown) == "class-pair-nobody"
+    assert allowed.refusal(allowed.say, "Ana", unknown) == "class-classmate-away"
 
 
 def test_in_a_lesson_everybody_works_alone(allowed):

@@ -7,13 +7,13 @@ interface Props {
   /** Null until the class has answered. */
   readonly classmates: readonly Classmate[] | null;
   /** What to say if there are none. */
-  readonly nobody: string;
+  readonly none: string;
   readonly choose: (classmate: Classmate) => void;
 }
 
-export function ChooseClassmate({ classmates, nobody, choose }: Props) {
+export function ChooseClassmate({ classmates, none, choose }: Props) {
   if (classmates === null) return null;
-  if (classmates.length === 0) return <p class="dim">{nobody}</p>;
+  if (classmates.length === 0) return <p class="dim">{none}</p>;
   return (
     <ul class="classmates">
       {classmates.map((one) => (

@@ -19,7 +19,7 @@ export function InviteDialog() {
   return (
     <Dialog title={t("page-pair-title")} close={close}>
       <p>{t("page-pair-how")}</p>
-      <ChooseClassmate classmates={pairs.classmates.value} nobody={t("page-pair-nobody")} choose={invite} />
+      <ChooseClassmate classmates={pairs.classmates.value} none={t("page-pair-none-here")} choose={invite} />
     </Dialog>
   );
 }

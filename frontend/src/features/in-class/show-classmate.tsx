@@ -17,7 +17,7 @@ export function ShowClassmateDialog({ of: { showLink } }: { of: ShowDialogName }
       <p>{t("page-show-how")}</p>
       <ChooseClassmate
         classmates={shownPrograms.viewers.value}
-        nobody={t("page-show-nobody")}
+        none={t("page-show-none-here")}
         choose={({ id }) => {
           close();
           shownPrograms.show(id, showLink);

@@ -87,14 +87,18 @@ class-ends = The class is closing. Your work is saved.
 class-server-silent = Your place in class is not ready yet. Try again in a moment.
 class-server-failed = Your place in class could not be prepared: { $reason }
 
+## Classmates
+
+class-classmate-away = This classmate isn't here at the moment. Choose someone else.
+# $name is a classmate.
+class-classmate-declined = { $name } has just said no. Ask again in a minute.
+
 ## Playing together
 
 class-pair-off = Playing together is switched off. Ask your teacher.
 class-pair-over = Your teacher has switched playing together off.
 class-pair-already = You are playing with a classmate, or have invited one. Leave first.
-class-pair-nobody = This classmate isn't here at the moment. Choose someone else.
 class-pair-busy = { $name } is playing with another classmate. Ask again later.
-class-pair-just-declined = { $name } has just said no. Ask again in a minute.
 class-pair-declined = { $name } does not want to play now.
 class-pair-silence = { $name } has not answered your invitation.
 class-pair-no-invitation = This invitation has been taken back.

@@ -76,14 +76,17 @@ class-ends = La clase se está cerrando. Tu trabajo está guardado.
 class-server-silent = Tu sitio en la clase aún no está listo. Prueba otra vez dentro de un momento.
 class-server-failed = No se pudo preparar tu sitio en la clase: { $reason }
 
+## Compañeros de clase
+
+class-classmate-away = Esa persona no está conectada en este momento. Elige a otra.
+class-classmate-declined = { $name } acaba de decir que no. Pregunta otra vez dentro de un minuto.
+
 ## Jugar en pareja
 
 class-pair-off = Jugar en pareja está desactivado. Pregunta a tu profe.
 class-pair-over = Tu profe ha desactivado jugar en pareja.
 class-pair-already = Ya juegas con alguien de clase o has enviado una invitación. Sal primero.
-class-pair-nobody = Esa persona no está conectada en este momento. Elige a otra.
 class-pair-busy = { $name } está jugando con otra persona. Pregunta más tarde.
-class-pair-just-declined = { $name } acaba de decir que no. Pregunta otra vez dentro de un minuto.
 class-pair-declined = { $name } no quiere jugar ahora.
 class-pair-silence = { $name } no ha respondido a tu invitación.
 class-pair-no-invitation = Esta invitación ya se ha retirado.

@@ -3,7 +3,7 @@
 page-pair-menu = Play with a classmate…
 page-pair-title = Play with a classmate
 page-pair-how = Your classmate's program drives the second robot in your world. You start the run.
-page-pair-nobody = You can't invite any of your classmates at the moment.
+page-pair-none-here = You can't invite any of your classmates at the moment.
 page-pair-inviting = You have invited { $name }. Wait for an answer.
 page-pair-take-back = Take invitation back
 # $robot is the name of a robot.

@@ -3,7 +3,7 @@
 page-pair-menu = Jugar en pareja…
 page-pair-title = Jugar en pareja
 page-pair-how = El programa de la otra persona mueve el segundo robot en tu mundo. La ejecución la empiezas tú.
-page-pair-nobody = En este momento no puedes invitar a nadie de tu clase.
+page-pair-none-here = En este momento no puedes invitar a nadie de tu clase.
 page-pair-inviting = Has invitado a { $name }. Espera su respuesta.
 page-pair-take-back = Retirar la invitación
 page-pair-invited = { $name } te invita a mover el robot { $robot } con tu programa, en su mundo.
