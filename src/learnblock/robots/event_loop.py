@@ -65,6 +65,7 @@ class EventLoop(Closing):
         self._clock = clock
         self._failures: tuple[type[Exception], ...] = (*_FAILURES, *failures)
         self._lock = threading.Lock()
+        self._waking = threading.Lock()
         self._lost: Phrase | Exception | None = None
         self._closed = False
         self._entered = AsyncExitStack()
@@ -191,9 +192,15 @@ class EventLoop(Closing):
             raise RobotConnectionError("robot-link-closed", place=self.place)
 
     def _call_in_loop(self, coroutine: Coroutine[Any, Any, Result]) -> "_Call[Result]":
-        call = _Call(asyncio.run_coroutine_threadsafe(coroutine, self._loop))
-        self._loop.call_soon_threadsafe(self._selector.settling.append, call.settled)
+        with self._waking:
+            call = _Call(asyncio.run_coroutine_threadsafe(coroutine, self._loop))
+            self._loop.call_soon_threadsafe(self._settle, call.settled)
         return call
+
+    def _settle(self, settled: threading.Event) -> None:
+        # The loop may run this before it has been woken, and would wait and be woken once more.
+        with self._waking:
+            self._selector.settling.append(settled)
 
     def _work(self) -> None:
         try:
@@ -271,7 +278,7 @@ class _ClockSelector(selectors.DefaultSelector):
     """Waits for sockets until a moment of a driver's clock.
 
     Attributes:
-        settling: events to set before it waits, added by the loop's thread.
+        settling: events to set once nothing is ready, added by the loop's thread.
     """
 
     def __init__(self, clock: SteadyClock) -> None:
@@ -283,7 +290,7 @@ class _ClockSelector(selectors.DefaultSelector):
     def select(self, timeout: float | None = None) -> list[tuple[selectors.SelectorKey, int]]:
         if timeout is None or timeout > 0:
             self._clock.wait(self._activity, _DAY if timeout is None else timeout)
-            self.settling.clear()
+            self.settling[:] = [event for event in self.settling if not event.is_set()]
         return super().select(0)
 
 
@@ -292,7 +299,7 @@ class _Activity(threading.Event):
 
     Args:
         select: waits for sockets, as `selectors.BaseSelector.select`.
-        settling: events that are set once a clock waits for this one.
+        settling: events that are set once a clock waits for this one, and nothing is ready.
     """
 
     def __init__(
@@ -306,6 +313,8 @@ class _Activity(threading.Event):
         return self.wait(0)
 
     def wait(self, timeout: float | None = None) -> bool:
+        if self._select(0):
+            return True
         for event in self._settling:
             event.set()
         return bool(self._select(timeout))
