@@ -11,7 +11,7 @@ import socket
 import threading
 from collections.abc import Iterator
 from contextlib import suppress
-from time import monotonic
+from time import clock_gettime, monotonic
 from typing import NoReturn
 
 import msgspec
@@ -29,6 +29,9 @@ from learnblock.runtime.watcher import Watcher
 
 #: Seconds between two messages on where the robot is, and between two turns of the watcher.
 PERIOD = 0.1
+#: Seconds for which a child may neither say nor compute anything, and how little is nothing.
+HANGING = 15.0
+_NOTHING = 0.5
 #: The bytes before a message that say how long it is.
 _LENGTH = 8
 _CHUNK = 1 << 16
@@ -115,9 +118,13 @@ class SharedRun:
 
     def _received(self, connection: socket.socket) -> RunResult | None:
         """Pass on what the child says, and return its result."""
-        data = bytearray()
+        data, pulse = bytearray(), _Pulse(self._child)
         while self._deadline is None or monotonic() < self._deadline:
-            if select.select([connection], [], [], PERIOD)[0]:
+            if not select.select([connection], [], [], PERIOD)[0]:
+                if pulse.is_missed():
+                    return None
+            else:
+                pulse.felt()
                 received = connection.recv(_CHUNK)
                 data += received
                 if not received or len(data) > LARGEST:
@@ -161,6 +168,38 @@ class SharedRun:
         threading.Thread(target=channel.tell_where, args=(run,), daemon=True).start()
 
 
+class _Pulse:
+    """Whether a child still says or computes something.
+
+    Forking copies a lock that a library's thread holds, and the child may wait for it forever.
+
+    Args:
+        process: the number of the child.
+    """
+
+    def __init__(self, process: int) -> None:
+        # The clock of a process, as clock_getcpuclockid(3) makes it on Linux.
+        self._clock = ~process << 3 | 2
+        self.felt()
+
+    def felt(self) -> None:
+        """Note that it has said something."""
+        self._missed = 0.0
+        self._computed = clock_gettime(self._clock)
+
+    def is_missed(self) -> bool:
+        """Whether it hangs, asked after each `PERIOD` without a message.
+
+        Turns are counted instead of time, which passes while a computer or this process is paused.
+        """
+        self._missed += PERIOD
+        if self._missed < HANGING:
+            return False
+        has_computed = clock_gettime(self._clock) - self._computed >= _NOTHING
+        self.felt()
+        return not has_computed
+
+
 class _ParentChannel:
     """What the child tells its parent.
 
@@ -179,11 +218,12 @@ class _ParentChannel:
             self._connection.sendall(len(data).to_bytes(_LENGTH) + data)
 
     def tell_where(self, run: ProgramRun) -> None:
-        """Tell again and again where the robot is."""
-        ended = threading.Event()
+        """Tell where the robot is, again and again while that changes."""
+        ended, last = threading.Event(), None
         while not ended.wait(PERIOD):
-            if standing := run.standing:
+            if (standing := run.standing) and standing != last:
                 self.tell(WhereNow(standing))
+                last = standing
 
 
 class _Prints(making.Prints):

@@ -40,6 +40,14 @@ DYING = """
 printed = shared_run._Prints.printed
 shared_run._Prints.printed = lambda self, text: "3" in text and os._exit(1) or printed(self, text)
 """
+HANGING = """
+import threading
+shared_run.HANGING = 0.2
+printed = shared_run._Prints.printed
+shared_run._Prints.printed = (
+    lambda self, text: threading.Event().wait() if "3" in text else printed(self, text)
+)
+"""
 OPEN_FILES = """
 made = making.made_together
 def listed(job, prints, prepare):
@@ -86,8 +94,9 @@ def test_a_plain_program_leaves_the_report_and_the_trace_that_it_leaves_alone(tm
     assert files[0].read_bytes() == files[1].read_bytes() != b""
 
 
-def test_a_run_whose_process_dies_is_made_again_alone_and_prints_nothing_twice(write):
-    output, said, code = ran(write(COUNT), change=DYING)
+@pytest.mark.parametrize("change", [DYING, HANGING], ids=["dies", "hangs"])
+def test_a_run_whose_process_fails_is_made_again_alone_and_prints_nothing_twice(write, change):
+    output, said, code = ran(write(COUNT), change=change)
     assert output == "1\n2\n3\n4\n5\n"
     assert ("alone" in said, code) == (True, 0)
 
