@@ -116,7 +116,8 @@ class Desk:
     ) -> None:
         self.pupil = pupil
         self._title = title
-        self._lesson = lesson
+        #: The lesson that was handed out last, and the step with which it begins.
+        self.handed_out = (lesson, 1)
         self._shelf = shelf
         self.progress = Progress()
         self.writing: Writing = "no"
@@ -290,9 +291,9 @@ class Desk:
         if self.sharing:
             self.sharing.renamed(self, page, name)
 
-    def hand_out(self, lesson: str) -> None:
-        """A lesson has been handed out to the pupil."""
-        self._lesson = lesson
+    def hand_out(self, lesson: str, step: int = 1) -> None:
+        """A lesson has been handed out to the pupil, from this step."""
+        self.handed_out = (lesson, step)
         self._lacks_lesson = False
         self.tell()
 
@@ -383,5 +384,5 @@ class Desk:
             hint=self.hints[-1] if self.hints else "",
             hints=len(self.hints),
             title=self._title,
-            lesson=self._lesson,
+            lesson=self.handed_out[0],
         )

@@ -11,8 +11,9 @@ from learnblock.classroom.hand_in_messages import HandInRun
 from learnblock.classroom.hand_in_runs import HandInRuns, wanted_run
 from learnblock.classroom.hand_ins import HandInShelf
 from learnblock.classroom.lesson_works import LessonWorkFile
+from learnblock.classroom.lesson_worlds import LessonWorlds
 from learnblock.classroom.marking import Marking
-from learnblock.classroom.messages import LessonOffer
+from learnblock.classroom.messages import LessonOffer, Plan
 from learnblock.classroom.offers import give_lesson, lesson_gift
 from learnblock.classroom.pairs import Pairs
 from learnblock.classroom.pins import Picture
@@ -64,6 +65,7 @@ class Room:
         self.lesson = roster.lesson or ""
         #: When a lesson was handed out last, in seconds since 1970.
         self.began = 0.0
+        self._lesson_worlds = LessonWorlds()
         #: What opens lessons that were handed out to pupils who were not here, by their ids.
         self._late: dict[str, tuple[messages.Message, ...]] = {}
         self.eyes_up = False
@@ -89,6 +91,7 @@ class Room:
         """Get ready to start pupils' servers."""
         # A class that was killed has left it.
         await asyncio.to_thread(self.hand_in_runs.delete)
+        await self._lesson_worlds.read(self.lesson)
         for servers in self._all_servers:
             await servers.open()
 
@@ -136,6 +139,13 @@ class Room:
         """The desk of a pupil; a new pupil gets one."""
         return self.desks.get(pupil.id) or self._seat(pupil)
 
+    def plan(self, desk: Desk) -> Plan | None:
+        """The world of a pupil, or until it is known that of the lesson that was handed out."""
+        if known := desk.progress.plan_of(desk.pupil.id):
+            return known
+        scene = self._lesson_worlds.of(*desk.handed_out)
+        return Plan(desk.pupil.id, 0, scene) if scene else None
+
     async def place(self, pupil: Pupil) -> ServerAddress:
         """The place of a pupil's server, which is started if it is not running.
 
@@ -161,12 +171,13 @@ class Room:
         """
         receiving = tuple(self.roster.pupils if pupils is None else pupils)
         orders = await self._handing_out(lesson, receiving)
+        await self._lesson_worlds.read(lesson.lesson, lesson.step or 1)
         # What a few get besides is not the lesson of the class.
         if pupils is None or 2 * len(receiving) > len(self.roster.pupils):
             self.lesson, self.began = lesson.lesson, time.time()
         self._late |= {pupil.id: orders for pupil in receiving if not self.desk(pupil).own_pages}
         for pupil in receiving:
-            self.desk(pupil).hand_out(lesson.lesson)
+            self.desk(pupil).hand_out(lesson.lesson, lesson.step or 1)
         await asyncio.gather(*(self.desk(pupil).order(*orders) for pupil in receiving))
 
     async def first_lesson(self, pupil: Pupil) -> tuple[messages.Message, ...]:

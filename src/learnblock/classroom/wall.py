@@ -14,6 +14,7 @@ from learnblock.classroom.room import Room
 from learnblock.classroom.roster import MORE, names_of
 from learnblock.classroom.teaching import do
 from learnblock.errors import LearnBlockError, phrase_of
+from learnblock.server.messages import Scene
 
 #: Seconds between two looks at the class.
 _PERIOD = 0.5
@@ -95,7 +96,7 @@ class WallView:
         self._wall: ours.Wall | None = None
         self._offers: tuple[ours.LessonOffer, ...] | None = None
         self._seats: dict[str, ours.Seat] = {}
-        self._scenes: dict[str, int] = {}
+        self._scenes: dict[str, Scene] = {}
         self._marking = MarkingView()
         self._waiting: WaitingHandIns | None = None
 
@@ -116,9 +117,9 @@ class WallView:
             for pupil, desk in desks.items()
         }
         for pupil, desk in desks.items():
-            plan = desk.progress.plan_of(pupil)
-            if plan and self._scenes.get(pupil) != plan.number:
-                self._scenes[pupil] = plan.number
+            plan = room.plan(desk)
+            if plan and self._scenes.get(pupil) is not plan.scene:
+                self._scenes[pupil] = plan.scene
                 yield plan
         known = self._seats
         if changed := [seat for seat in seats.values() if known.get(seat.id) != seat]:

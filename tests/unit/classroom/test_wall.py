@@ -77,6 +77,25 @@ def seats(view, room):
     ]
 
 
+def plans(view, room):
+    return {m.pupil: m.scene.name for m in view.news(room) if isinstance(m, ours.Plan)}
+
+
+def test_who_has_no_page_open_is_shown_in_the_world_of_the_lesson_that_was_handed_out(room, desk):
+    view = WallView()
+    assert plans(view, room) == {}
+    ana, leo = room.roster.pupils
+    asyncio.run(room.hand_out(StartLesson(LESSON, "A square")))
+    assert plans(view, room) == {ana.id: "square", leo.id: "square"}
+    assert plans(view, room) == {}
+    asyncio.run(room.hand_out(StartLesson("4-04-tag-map", "A map"), [leo]))
+    assert plans(view, room) == {leo.id: "town"}
+    now = AtSeat(Work(), scene=Scene("line", {}, (), ()))
+    desk.see(None, now)
+    desk.progress.look_at(None)
+    assert plans(view, room) == {ana.id: "line"}
+
+
 def test_lessons_are_offered_once_and_pupils_are_told_when_they_change(room, desk, page):
     view = WallView()
     first = list(view.news(room))
