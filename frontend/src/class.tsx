@@ -3,6 +3,7 @@
 import { render } from "preact";
 
 import { begin } from "./app/begin";
+import { handInAt } from "./features/class-page/hand-in-address";
 import { JoinPage } from "./features/class-page/join";
 import { Joining } from "./features/class-page/joining";
 import { ProjectorPage } from "./features/class-page/projector";
@@ -18,7 +19,7 @@ import "./features/class-page/wall.css";
 
 function pageAt(path: string) {
   if (path.endsWith("/teacher")) return <WallPage stream={new ClassStream("wall")} />;
-  if (path.endsWith("/hand-ins")) return <HandInsPage stream={new HandInStream()} />;
+  if (path.endsWith("/hand-ins")) return <HandInsPage stream={new HandInStream(handInAt(location.hash))} />;
   if (path.endsWith("/record")) return <RecordPage />;
   if (path.endsWith("/projector")) return <ProjectorPage stream={new ClassStream("projected")} />;
   return <JoinPage joining={new Joining(new URLSearchParams(location.search).get("word") ?? "")} />;

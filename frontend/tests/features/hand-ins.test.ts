@@ -55,6 +55,20 @@ test("the step in which something waits for the teacher is listed first", () => 
   expect(stream.sent).toEqual([{ kind: "ReadHandIns", ...PLACE }]);
 });
 
+test("the hand-in of the page's address is shown first", () => {
+  stream = new Played({ ...PLACE, step: 2, pupil: "b" });
+  stream.hear(steps(1));
+  stream.hear({ ...list(line("a", "to mark"), line("b", "to mark")), step: 2 } as ToTeacher);
+  expect(stream.sent.at(-1)).toEqual({ kind: "ReadHandIn", pupil: "b", ...PLACE, step: 2 });
+});
+
+test("without the hand-in of the page's address, the first one in most need of the teacher is shown", () => {
+  stream = new Played({ ...PLACE, step: 5, pupil: "b" });
+  stream.hear(steps(1));
+  stream.hear(list(line("a", "to mark"), line("b", "to mark")));
+  expect(stream.sent.at(-1)).toEqual({ kind: "ReadHandIn", pupil: "a", ...PLACE });
+});
+
 test("a hand-in elsewhere has the list read again, and the one that is shown stays", () => {
   stream.hear(steps(1));
   stream.hear(list(line("a", "to mark"), line("b", "to mark")));

@@ -3,6 +3,7 @@
 import { act, fireEvent, render, screen, waitFor, within } from "@testing-library/preact";
 import { expect, test, vi } from "vitest";
 
+import { handInAt } from "../../src/features/class-page/hand-in-address";
 import { ClassStream } from "../../src/features/class-page/stream";
 import { WallPage } from "../../src/features/class-page/wall";
 import type { FromTeacher, Wall } from "../../src/protocol/classroom";
@@ -201,4 +202,23 @@ test("work that a pupil has left behind stays in the hand-ins with its lesson, a
   expect(rows.slice(1)).toEqual(["AnaA square, step 4–7to mark", "Anastep 20 of 47to mark"]);
   list.getByText("1 of 2");
   list.getByText("and 6 more");
+});
+
+test("a row of the hand-ins opens the hand-in of its pupil", () => {
+  const stream = open(["Ana", "Leo"]);
+  const [ana, leo] = [...stream.seats.value.values()];
+  act(() => {
+    stream.seats.value = new Map([
+      ["p0", { ...ana!, lesson_name: "1-03", step: 4, hand_in: "to mark" }],
+      ["p1", leo!],
+    ]);
+    const left = { pupil: "p1", lesson: "1-02", title: "Turn", step: 2 };
+    stream.waiting.value = { kind: "WaitingHandIns", hand_ins: [left] };
+  });
+  const links = within(screen.getByRole("region", { name: "Hand-ins" })).getAllByRole("link", { name: /Ana|Leo/ });
+  const opened = links.map((link) => handInAt(new URL(link.getAttribute("href")!, "http://a").hash));
+  expect(opened).toEqual([
+    { pupil: "p0", lesson: "1-03", step: 4 },
+    { pupil: "p1", lesson: "1-02", step: 2 },
+  ]);
 });

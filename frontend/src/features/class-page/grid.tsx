@@ -5,6 +5,7 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
 import type { Seat, Wall } from "../../protocol/classroom";
+import { useColumns } from "./fitting";
 import type { Drawing } from "./small-world";
 import type { ClassStream } from "./stream";
 import { Tile } from "./tile";
@@ -27,6 +28,7 @@ export function Grid({ stream, drawing, wall, seats, isBusy, hint, handOut, remo
   const grid = useRef<HTMLDivElement>(null);
   // A filter does not change the size of the tiles.
   const pupils = wall.pupils?.length ?? seats.length;
+  const columns = useColumns(grid, pupils);
   const isThere = seats.some(({ id }) => id === current.value);
   const first = isThere ? current.value : (seats[0]?.id ?? "");
   const pressed = (event: KeyboardEvent) => {
@@ -41,7 +43,7 @@ export function Grid({ stream, drawing, wall, seats, isBusy, hint, handOut, remo
   return (
     <div
       ref={grid}
-      {...tilesFor(pupils)}
+      {...tilesFor(pupils, columns)}
       role="grid"
       aria-label={t("page-class-pupils")}
       aria-describedby="wall-keys"
@@ -80,10 +82,10 @@ const FEW = [1, 2, 3, 2, 3, 3, 4, 4, 5, 5, 4, 4] as const;
 /** For so many pupils the pictures are drawn twice as large. */
 const LARGE = 6;
 
-/** As large as the screen allows where there are few of them. */
-function tilesFor(count: number): { readonly class: string; readonly style?: string } {
+/** As large as the screen allows; so many that they would be too small go on below it. */
+function tilesFor(count: number, fitting: number | undefined): { readonly class: string; readonly style?: string } {
   const columns = FEW[count - 1];
-  if (!columns) return { class: "tiles" };
+  if (!columns) return fitting ? { class: "tiles fitting", style: `--columns: ${fitting}` } : { class: "tiles" };
   return {
     class: count > LARGE ? "tiles few" : "tiles few large",
     style: `--columns: ${columns}; --rows: ${Math.ceil(count / columns)}`,

@@ -6,6 +6,7 @@ import { t } from "../../i18n";
 import type { LessonOffer, Seat, WaitingHandIn } from "../../protocol/classroom";
 import { Icon, type IconName } from "../../ui/icons";
 import { inLanguage } from "../lessons/texts";
+import { handInPage } from "./hand-in-address";
 import {
   commonMistake,
   type FinishedWork,
@@ -269,10 +270,18 @@ function HandInRow({ work: { seat, isToMark, left } }: { work: FinishedWork }) {
   const { name, lesson_name, stars = 0, all_stars = 0, tries = 0 } = seat;
   // The wall knows the stars of the lesson that is open.
   const isOpen = !left || left.lesson === lesson_name;
+  const isIn = left || seat.hand_in;
+  const { lesson = "", step = 0 } = left ?? { lesson: lesson_name, step: seat.step };
   return (
     <tr>
       <th scope="row">
-        <bdi>{name}</bdi>
+        {isIn ? (
+          <a href={handInPage({ pupil: seat.id, lesson, step })}>
+            <bdi>{name}</bdi>
+          </a>
+        ) : (
+          <bdi>{name}</bdi>
+        )}
         {left && <small>{placeInWords(left, isOpen)}</small>}
       </th>
       <td>

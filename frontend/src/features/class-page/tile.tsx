@@ -63,7 +63,7 @@ export function Tile({ stream, drawing, seat, scale, isProjected, isCurrent, hin
           </a>
           <button type="button" class="button tile-tool" tabIndex={-1} onClick={hint}>
             <Icon name="hint" />
-            {t("page-class-hint")}
+            <span>{t("page-class-hint")}</span>
           </button>
           <Menu
             label={t("page-class-more", { name })}

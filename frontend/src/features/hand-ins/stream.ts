@@ -14,6 +14,7 @@ import type {
   ShownHandIn,
   ToTeacher,
 } from "../../protocol/classroom";
+import type { HandInAddress } from "../class-page/hand-in-address";
 
 interface Place {
   readonly lesson: string;
@@ -37,7 +38,8 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
   readonly focused = signal(0);
   readonly marked = computed(() => (this.list.value?.lines ?? []).filter(({ state }) => state === "marked"));
 
-  constructor() {
+  /** @param wanted the hand-in that is shown first, if it is there. */
+  constructor(private readonly wanted: HandInAddress | null = null) {
     super(socketAt("marking"));
     this.on("HandInSteps", (steps) => this.changed(steps));
     this.on("HandInList", (list) => this.listed(list));
@@ -125,9 +127,19 @@ export class HandInStream extends Channel<FromTeacher, ToTeacher> {
   private changed(steps: HandInSteps): void {
     const isOther = steps.revision !== this.steps.peek()?.revision;
     this.steps.value = steps;
-    const first = mostUseful(steps.steps ?? []);
-    if (!this.place.peek() && first) this.choose(first);
-    else if (isOther) this.read();
+    if (this.place.peek()) {
+      if (isOther) this.read();
+    } else this.begin(steps.steps ?? []);
+  }
+
+  /** List a step for the first time. */
+  private begin(steps: readonly HandInStep[]): void {
+    const { wanted } = this;
+    const isThere = steps.some(({ lesson, step }) => lesson === wanted?.lesson && step === wanted.step);
+    const first = wanted && isThere ? wanted : mostUseful(steps);
+    if (!first) return;
+    this.choose(first);
+    if (first === wanted) this.pupil.value = wanted.pupil;
   }
 
   private listed(list: HandInList): void {
