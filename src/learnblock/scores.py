@@ -5,7 +5,6 @@ A simulated world keeps it for all its robots; a robot without a world keeps its
 
 import math
 from collections import Counter, deque
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Literal, NamedTuple
 
@@ -126,14 +125,18 @@ class GameEvent:
     team: str | None = None
 
 
-class _Counts:
-    """What counts for one player."""
+class Counts:
+    """What counts for one player.
+
+    Args:
+        lives: the lives with which it begins; None without any.
+    """
 
     def __init__(self, lives: int | None) -> None:
         self.score: float = 0
         self.lives = lives
         self.lost_lives = 0
-        #: How many things of each kind it has collected.
+        #: How many things of each kind it has collected, and of any kind.
         self.collected: Counter[str] = Counter()
         self.news: deque[str] = deque(maxlen=MOST_WAITING)
 
@@ -147,7 +150,7 @@ class Scores:
 
     def __init__(self, lives: int | None = None) -> None:
         self._lives = lives
-        self._players: dict[str, _Counts] = {}
+        self._players: dict[str, Counts] = {}
         #: When the countdown ends, in seconds; None without counts.
         self._ends_at: float | None = None
         self._is_time_up = False
@@ -157,21 +160,17 @@ class Scores:
     def join(self, player: str) -> None:
         """Add a player, unless it plays already."""
         if player not in self._players:
-            self._players[player] = _Counts(self._lives)
+            self._players[player] = Counts(self._lives)
 
     def standing(self, player: str, time: float) -> Tally:
         """A player's score and lives, and the time that is left."""
-        counts = self._counts(player)
+        counts = self.of(player)
         left = None if self._ends_at is None else max(0.0, round(self._ends_at - time, _DECIMALS))
         return Tally(counts.score, counts.lives, left)
 
-    def lost_lives(self, player: str) -> int:
-        """How many lives a player has lost so far."""
-        return self._counts(player).lost_lives
-
-    def collected(self, player: str) -> Mapping[str, int]:
-        """How many things of each kind a player has collected, and of any kind."""
-        return self._counts(player).collected
+    def of(self, player: str) -> Counts:
+        """What counts for a player so far; only to be read."""
+        return self._players.get(player) or Counts(self._lives)
 
     def plays(self, player: str) -> bool:
         """Whether a player is still in the game: it has joined it, and not lost all its lives."""
@@ -201,7 +200,7 @@ class Scores:
 
     def change(self, player: str, change: Change, amount: float, time: float) -> None:
         """Do what a player's program has said; an ended game stays as it is."""
-        counts = self._counts(player)
+        counts = self.of(player)
         match change:
             case "change-score":
                 self.affect("score", player, time, points=amount)
@@ -238,7 +237,7 @@ class Scores:
             points: what is added to its score.
             lives: how many lives it gains, or loses.
         """
-        counts = self._counts(player)
+        counts = self.of(player)
         if self.result or not (thing or points or lives):
             return
         counts.score = _tidy(counts.score + points)
@@ -258,13 +257,13 @@ class Scores:
 
     def keep(self, player: str, kind: str) -> None:
         """Add a thing to those that a player has collected, and tell its program."""
-        counts = self._counts(player)
+        counts = self.of(player)
         counts.collected.update((kind, ANYTHING))
         counts.news.extend((kind, ANYTHING))
 
     def collect(self, player: str) -> list[str]:
         """Take the news for a player's program, oldest first."""
-        news = self._counts(player).news
+        news = self.of(player).news
         taken = [*news]
         news.clear()
         return taken
@@ -320,9 +319,6 @@ class Scores:
             for name, counts in self._players.items()
         )
         return players, self._ends_at, self._is_time_up, self.result
-
-    def _counts(self, player: str) -> _Counts:
-        return self._players.get(player) or _Counts(self._lives)
 
 
 def _tidy(score: float) -> float:

@@ -48,7 +48,7 @@ def test_a_game_without_lives_begins_with_three_when_one_is_lost():
     game.change("ada", "change-lives", -1, 1.0)
 
     assert game.standing("ada", 1.0).lives == 2
-    assert game.lost_lives("ada") == 1
+    assert game.of("ada").lost_lives == 1
 
 
 def test_setting_lives_loses_none():
@@ -56,7 +56,7 @@ def test_setting_lives_loses_none():
     game.change("ada", "set-lives", 2, 1.0)
 
     assert game.standing("ada", 1.0).lives == 2
-    assert game.lost_lives("ada") == 0
+    assert game.of("ada").lost_lives == 0
 
 
 def test_a_game_is_over_when_no_player_has_lives_left():
@@ -107,7 +107,7 @@ def test_a_collected_thing_is_news_by_its_kind_and_as_anything():
 
     assert game.collect("ada") == ["star", ANYTHING, "bug", ANYTHING]
     assert game.collect("ada") == []
-    assert game.collected("ada") == {"star": 1, "bug": 1, ANYTHING: 2}
+    assert game.of("ada").collected == {"star": 1, "bug": 1, ANYTHING: 2}
 
 
 def test_news_that_nobody_takes_do_not_grow_without_limit():

@@ -26,10 +26,15 @@ class LockStepClock:
         self._started = steps
         self._accesses = 0
         self.instant = steps
+        #: The last time and its step: many ask at one step.
+        self._time, self._at = 0.0, steps
 
     def time(self) -> float:
-        # Rounded, so that step 3 is 0.03 and not 0.030000000000000002: programs print their times.
-        return round((self.instant - self._started) * self._dt, 9)
+        if self.instant != self._at:
+            self._at = self.instant
+            # So that step 3 is 0.03 and not 0.030000000000000002: programs print their times.
+            self._time = round((self._at - self._started) * self._dt, 9)
+        return self._time
 
     def sleep(self, seconds: float) -> None:
         if seconds > 0:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 import pymunk
 
 from learnblock.simulator import robot_description
+from learnblock.simulator.chipmunk import angle_of, position_of, set_rotation, set_velocity
 from learnblock.simulator.geometry import Point, Pose, forward, wrapped
 from learnblock.simulator.physics import DT, GRAVITY, ROBOT, Physics, motion
 from learnblock.wheels import Odometry, Wheels, accelerated, body_speeds
@@ -70,7 +71,7 @@ class Chassis:
         self._steps = 0
         self._adv = 0.0
         self._omega = 0.0
-        self._x = self._y = 0.0
+        self._x = self._y = self._angle = 0.0
         self._pose: Pose | None = None
         self._ahead: Point | None = None
         self._moved = self._moved_before = (0.0, 0.0)
@@ -87,13 +88,13 @@ class Chassis:
     @property
     def turned(self) -> float:
         """The heading in degrees, including full turns."""
-        return -math.degrees(self._body.angle)
+        return -math.degrees(self._angle)
 
     @property
     def acceleration(self) -> tuple[float, float]:
         """The acceleration forward and to the left, m/s², over the last two steps."""
         x, y = self._moved[0] - self._moved_before[0], self._moved[1] - self._moved_before[1]
-        angle = self._body.angle
+        angle = self._angle
         scale = 1e-3 / DT**2
         along, across = math.cos(angle), math.sin(angle)
         return (x * along + y * across) * scale, (y * along - x * across) * scale
@@ -123,7 +124,8 @@ class Chassis:
         """Lift it to `pose` and set it down at rest; the distance driven is unchanged."""
         self._body.position = self._x, self._y = pose.x, pose.y
         # The nearest angle in that direction, so that `turned` does not jump by full turns.
-        self._body.angle -= math.radians(wrapped(pose.heading - self.turned))
+        self._angle -= math.radians(wrapped(pose.heading - self.turned))
+        self._body.angle = self._angle
         self._body.velocity = self._control.velocity = 0.0, 0.0
         self._body.angular_velocity = self._control.angular_velocity = 0.0
         self._speeds = (0.0, 0.0)
@@ -166,17 +168,17 @@ class Chassis:
         if self._adv != 0.0:
             # The heading halfway through the next step, in which this velocity takes effect:
             # with it a driven circle neither grows nor shrinks.
-            angle = self._body.angle + 1.5 * DT * self._omega
+            angle = self._angle + 1.5 * DT * self._omega
             adv = self._adv
-            _set_velocity(self._control, (adv * math.cos(angle), adv * math.sin(angle)))
+            set_velocity(self._control, (adv * math.cos(angle), adv * math.sin(angle)))
 
     def after_step(self) -> None:
         """Update pose, distance and acceleration after a step."""
-        x, y = self._body.position
+        x, y = position_of(self._body)
         moved = x - self._x, y - self._y
         self._moved_before, self._moved = self._moved, moved
         self.distance_driven += math.hypot(*moved)
-        self._x, self._y = x, y
+        self._x, self._y, self._angle = x, y, angle_of(self._body)
         self._pose = self._ahead = None
 
     def _count(self) -> None:
@@ -192,19 +194,14 @@ class Chassis:
         """Set the velocity to which the tyres pull, from the speeds of the wheels."""
         if self._slip and self._steps % SLIP_PERIOD == 0:
             self._lost = self._slip(self._steps // SLIP_PERIOD)
-        left, right = (
-            speed * factor * (1 - lost)
-            for speed, factor, lost in zip(self._speeds, self._factors, self._lost, strict=True)
-        )
+        (left, right), factors, lost = self._speeds, self._factors, self._lost
+        left = left * factors[0] * (1 - lost[0])
+        right = right * factors[1] * (1 - lost[1])
         self._adv = (left + right) / 2
         self._omega = (right - left) / self._wheels.track
-        self._control.angular_velocity = self._omega
+        set_rotation(self._control, self._omega)
         if self._adv == 0.0:
             self._control.velocity = 0.0, 0.0
-
-
-#: As `body.velocity = ...`, which takes several calls more.
-_set_velocity: Callable[[pymunk.Body, tuple[float, float]], None] = pymunk.Body.velocity.fset  # type: ignore[attr-defined] # a property
 
 
 def _disc(hull: robot_description.Body) -> tuple[pymunk.Body, pymunk.Shape]:

@@ -4,7 +4,8 @@ Headings are degrees, clockwise seen from above, so forward is (cos h, -sin h).
 """
 
 import math
-from dataclasses import dataclass
+
+import msgspec
 
 ARC_STEP = 3.0
 """Degrees between the points of a sampled arc: at a radius of 400 mm the error is 0.14 mm."""
@@ -12,8 +13,8 @@ ARC_STEP = 3.0
 Point = tuple[float, float]
 
 
-@dataclass(frozen=True, slots=True)
-class Pose:
+# Why: docs/decisions.md, "Steps and rays call pymunk's library directly"
+class Pose(msgspec.Struct, frozen=True):
     """A position in mm and a heading in degrees."""
 
     x: float

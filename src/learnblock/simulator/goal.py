@@ -1,8 +1,10 @@
 """A goal of a world: its state, and what it sees of robots."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from typing import Literal
+
+import msgspec
+from msgspec.structs import replace
 
 from learnblock.simulator.geometry import Pose
 from learnblock.simulator.goal_description import AnyGoal
@@ -12,8 +14,7 @@ GoalKind = Literal[
 ]
 
 
-@dataclass(frozen=True, slots=True)
-class RobotState:
+class RobotState(msgspec.Struct, frozen=True):
     """What goals see of a robot.
 
     Args:
@@ -42,13 +43,12 @@ class RobotState:
     has_ended: bool = False
     score: float = 0
     lost_lives: int = 0
-    collected: Mapping[str, int] = field(default_factory=dict)
+    collected: Mapping[str, int] = msgspec.field(default_factory=dict)
     gates: int = 0
     team: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class GoalState:
+class GoalState(msgspec.Struct, frozen=True):
     """The state of a goal.
 
     Args:
@@ -96,7 +96,7 @@ class Goal:
         if not self.state.is_open:
             return
         if self.first is None or self.first.state.reached_at is not None:
-            self._look([robot for robot in robots if self._is_for(robot)])
+            self._look([*filter(self._is_for, robots)])
         limit = self._described.time_limit
         is_late = limit is not None and time >= limit
         is_lost = self.first is not None and self.first.state.failed_at is not None

@@ -11,6 +11,7 @@ from itertools import pairwise
 
 import pymunk
 
+from learnblock.simulator.chipmunk import free_part
 from learnblock.simulator.geometry import Point, Pose, forward
 from learnblock.simulator.props import solid_props
 from learnblock.simulator.world_description import (
@@ -76,8 +77,7 @@ class Physics:
             end: the end point in mm.
             looker: the group of the measuring robot, which the ray passes through.
         """
-        seen = self.space.segment_query_first(start, end, 0.0, looker)
-        return None if seen is None else seen.alpha
+        return free_part(self.space, start, end, looker)
 
     def seen(
         self, start: Point, end: Point, looker: pymunk.ShapeFilter

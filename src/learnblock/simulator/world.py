@@ -4,15 +4,17 @@ import copy
 import math
 from collections import Counter, deque
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 import pymunk
+from msgspec.structs import replace
 
 from learnblock.errors import Diagnostic, KeyTakenError, UnknownNameError, WorldError
 from learnblock.i18n import Phrase
 from learnblock.simulator.chassis import Chassis
+from learnblock.simulator.chipmunk import advance
 from learnblock.simulator.drawing import Drawing
 from learnblock.simulator.floor import Floor
 from learnblock.simulator.game.game import WorldGame
@@ -137,7 +139,7 @@ class World:
         """Advance by 10 ms."""
         for body in self._chassis:
             body.before_step()
-        self.physics.space.step(DT)
+        advance(self.physics.space, DT)
         self.steps += 1
         for body in self._chassis:
             body.after_step()
@@ -259,20 +261,21 @@ class World:
         self.game.judge(self.goals, self.time)
 
     def _state_of(self, robot: RobotBody) -> RobotState:
-        pose = robot.chassis.pose
+        name, chassis, game = robot.name, robot.chassis, self.game
+        pose, counts = chassis.pose, game.scores.of(name)
         return RobotState(
-            robot.name,
+            name,
             self.time,
             pose,
             robot.emotion,
-            robot.chassis.distance_driven,
-            self._bumps[robot.name],
+            chassis.distance_driven,
+            self._bumps[name],
             self.floor.reaches(pose.x, pose.y),
-            score=self.game.scores.standing(robot.name, self.time).score,
-            lost_lives=self.game.scores.lost_lives(robot.name),
-            collected=self.game.scores.collected(robot.name),
-            gates=self.game.passed.get(robot.name, 0),
-            team=self.game.teams.robots.get(robot.name, ""),
+            score=counts.score,
+            lost_lives=counts.lost_lives,
+            collected=counts.collected,
+            gates=game.passed.get(name, 0),
+            team=game.teams.robots.get(name, ""),
         )
 
     def _tell_end(self, state: GoalState) -> None:
