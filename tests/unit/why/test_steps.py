@@ -1,7 +1,11 @@
 """Going through a run: from line to line, event to event, turn to turn, change to change."""
 
+import math
+
 import pytest
 
+from learnblock.runtime import child
+from learnblock.runtime.log import noting
 from learnblock.why.moments import Moments
 from learnblock.why.steps import START, Steps, To
 from logged_runs import logged_text
@@ -88,6 +92,28 @@ def test_a_turn_is_one_of_the_loop_around_the_line(history, steps):
 
 
 def test_turns_that_were_alike_can_be_stepped_through_nevertheless(steps):
+    place, ticks = steps.at(5), []
+    for _ in range(4):
+        place = steps.go(1, place, To.TURN)
+        ticks.append(place[0])
+    assert ticks == [510, 520, 530, 540]
+
+
+@pytest.mark.parametrize("wakes", [26, 27, 28, 29])
+def test_no_turn_is_left_out_where_a_part_of_the_log_ends(tmp_path, monkeypatch, wakes):
+    class Parted(noting.Noting):
+        wakes = 0
+
+        def woke(self, ticks):
+            self.wakes += 1
+            if self.wakes == wakes:
+                self.flush()
+            super().woke(ticks)
+
+    monkeypatch.setattr(noting, "LONGEST_WAIT", math.inf)
+    monkeypatch.setattr(child, "Noting", Parted)
+    history = logged_text(tmp_path, COUNTING, seconds=6).history
+    steps = Steps(history, Moments(history))
     place, ticks = steps.at(5), []
     for _ in range(4):
         place = steps.go(1, place, To.TURN)
