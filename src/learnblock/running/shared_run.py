@@ -148,24 +148,23 @@ class SharedRun:
         status = 1
         try:
             _keep_only(connection.fileno())
-            channel = _ParentChannel(connection)
-            watcher = _Prints(self.job, channel)
+            teller = _Teller(self.job, connection)
             result = making.made_together(
-                self.job, watcher, lambda made: self._prepare(made, channel)
+                self.job, teller, lambda made: self._prepare(made, teller)
             )
-            channel.tell(MadeRun(packed(result)))
+            teller.tell(MadeRun(packed(result)))
             status = 0
         finally:
             # The child must not clean up for its parent, nor say why it failed: it is run again.
             os._exit(status)
 
-    def _prepare(self, run: ProgramRun, channel: "_ParentChannel") -> None:
+    def _prepare(self, run: ProgramRun, teller: "_Teller") -> None:
         # Ctrl-C in a terminal reaches this process, too: our parent decides how the run ends.
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         signal.signal(signal.SIGTERM, lambda *_: run.stop())
         if self._deadline:
             run.stop()
-        threading.Thread(target=channel.tell_where, args=(run,), daemon=True).start()
+        teller.run = run
 
 
 class _Pulse:
@@ -200,41 +199,33 @@ class _Pulse:
         return not has_computed
 
 
-class _ParentChannel:
-    """What the child tells its parent.
+class _Teller(making.Prints):
+    """Tells the parent what the program prints, and where its robot is.
 
     Args:
+        job: the run.
         connection: to the parent.
     """
 
-    def __init__(self, connection: socket.socket) -> None:
+    def __init__(self, job: Job, connection: socket.socket) -> None:
+        super().__init__(job.keys)
+        #: The run, once it begins.
+        self.run: ProgramRun | None = None
         self._connection = connection
-        self._lock = threading.Lock()
+        self._due = 0.0
 
     def tell(self, message: ShownText | MadeRun | WhereNow) -> None:
         """Send a message."""
         data = msgspec.msgpack.encode(message)
-        with self._lock:
-            self._connection.sendall(len(data).to_bytes(_LENGTH) + data)
-
-    def tell_where(self, run: ProgramRun) -> None:
-        """Tell where the robot is, again and again while that changes."""
-        ended, last = threading.Event(), None
-        while not ended.wait(PERIOD):
-            if (standing := run.standing) and standing != last:
-                self.tell(WhereNow(standing))
-                last = standing
-
-
-class _Prints(making.Prints):
-    """Tells the parent what the program prints."""
-
-    def __init__(self, job: Job, channel: _ParentChannel) -> None:
-        super().__init__(job.keys)
-        self._channel = channel
+        self._connection.sendall(len(data).to_bytes(_LENGTH) + data)
 
     def printed(self, text: str) -> None:
-        self._channel.tell(ShownText(text))
+        self.tell(ShownText(text))
+
+    def tick(self) -> None:
+        if self.run and monotonic() >= self._due and (standing := self.run.standing):
+            self._due = monotonic() + PERIOD
+            self.tell(WhereNow(standing))
 
 
 def _taken(data: bytearray) -> Iterator[_Message | None]:

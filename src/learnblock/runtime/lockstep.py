@@ -30,10 +30,11 @@ class LockStepClock:
         self._time, self._at = 0.0, steps
 
     def time(self) -> float:
-        if self.instant != self._at:
-            self._at = self.instant
+        instant = self.instant
+        if instant != self._at:
             # So that step 3 is 0.03 and not 0.030000000000000002: programs print their times.
-            self._time = round((self._at - self._started) * self._dt, 9)
+            self._time = round((instant - self._started) * self._dt, 9)
+            self._at = instant
         return self._time
 
     def sleep(self, seconds: float) -> None:

@@ -37,14 +37,14 @@ main()
 """
 NEVER = "reporting.can_share = lambda job: False"
 DYING = """
-printed = shared_run._Prints.printed
-shared_run._Prints.printed = lambda self, text: "3" in text and os._exit(1) or printed(self, text)
+printed = shared_run._Teller.printed
+shared_run._Teller.printed = lambda self, text: "3" in text and os._exit(1) or printed(self, text)
 """
 HANGING = """
 import threading
 shared_run.HANGING = 0.2
-printed = shared_run._Prints.printed
-shared_run._Prints.printed = (
+printed = shared_run._Teller.printed
+shared_run._Teller.printed = (
     lambda self, text: threading.Event().wait() if "3" in text else printed(self, text)
 )
 """
