@@ -325,3 +325,7 @@ def _shape(code: int, data: memoryview) -> tuple[int, int, int]:
         reason = f"{len(data) - _SHAPE.size} bytes for a frame of {height} x {width} x {channels}"
         raise RobotConnectionError("run-not-a-message", reason=reason)
     return height, width, channels
+
+
+#: A value without a message around it.
+decoded_value = msgspec.msgpack.Decoder(ext_hook=_from_extension).decode

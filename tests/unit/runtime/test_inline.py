@@ -9,11 +9,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from learnblock.errors import DeviceValueError
 from learnblock.runtime.ending import How
 from learnblock.runtime.host import Host
 from learnblock.runtime.inline import InlineWorker, stays_the_same
 from learnblock.runtime.link import SocketLink
-from learnblock.runtime.messages import Called, Command, FromChild
+from learnblock.runtime.messages import Answer, Called, Command, FromChild
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 from learnblock.runtime.recorder import record
 from learnblock.runtime.run import Run
@@ -131,6 +132,18 @@ def test_a_message_that_is_not_encoded_would_have_arrived_as_it_is(args):
             link = SocketLink(None, FromChild)
             length = link.put(message)
             assert repr(link.decode(link._outgoing[4:length])) == repr(message)
+
+
+@given(st.recursive(values, lambda items: st.lists(items) | st.dictionaries(st.text(), items)))
+def test_a_copied_value_is_what_would_have_arrived(value):
+    link = InlineWorker().link
+    try:
+        link.put(Answer((value, ())))
+    except DeviceValueError:
+        with pytest.raises(DeviceValueError):
+            link.copied((value, ()))
+    else:
+        assert repr(link.copied((value, ()))) == repr(link._queue[0].value)
 
 
 class Silent(Watcher):

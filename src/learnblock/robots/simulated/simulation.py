@@ -52,13 +52,14 @@ class Simulation:
             step: the number of steps.
             given_up: ends this early, see `Pacing.wait`.
         """
-        while self.world.steps < step and not self.world.game.is_over:
-            if not self.pacing.is_free:
-                self.pacing.wait(self.world.time, given_up)
+        world, game, pacing, lock = self.world, self.world.game, self.pacing, self.lock
+        while world.steps < step and not game.is_over:
+            if not pacing.is_free:
+                pacing.wait(world.time, given_up)
             if given_up and given_up.is_set():
                 return
-            with self.lock:
-                self.world.step()
+            with lock:
+                world.step()
                 self._report()
 
     def place(self, name: str, x: float, y: float, heading: float) -> None:
