@@ -6,6 +6,7 @@ middle of the floor; headings are degrees clockwise, 0 is east.
 """
 
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from msgspec import Meta, Struct
@@ -135,13 +136,8 @@ class Line(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
             raise ValueError("world-line-empty")
 
     def polyline(self) -> "Polyline":
-        """Its middle."""
-        # Imported here because a world without a line does not need numpy, which is slow to load.
-        from learnblock.simulator.polyline import Polyline  # noqa: PLC0415 - see above
-
-        if self.points:
-            return Polyline.through([*self.points, *self.points[: 1 if self.closed else 0]])
-        return Polyline.through(_walk(Pose(*self.start), self.path))
+        """Its middle; the same object for lines that are alike, as it remembers what is near."""
+        return _middle(self)
 
 
 class Wall(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
@@ -322,6 +318,17 @@ def thing_name(thing: Box | Cylinder | Tag | Face | Start) -> str:
     if isinstance(thing, Tag):
         return f"tag {thing.id}"
     return f"face {thing.emotion}" if isinstance(thing, Face) else thing.name
+
+
+# Why: docs/decisions.md, "Nothing is computed twice that cannot have changed"
+@lru_cache(maxsize=64)
+def _middle(line: Line) -> "Polyline":
+    # Imported here because a world without a line does not need numpy, which is slow to load.
+    from learnblock.simulator.polyline import Polyline  # noqa: PLC0415 - see above
+
+    if line.points:
+        return Polyline.through([*line.points, *line.points[: 1 if line.closed else 0]])
+    return Polyline.through(_walk(Pose(*line.start), line.path))
 
 
 def _walk(start: Pose, path: Iterable[Part]) -> list[Point]:

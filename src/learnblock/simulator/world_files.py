@@ -1,7 +1,7 @@
 """Worlds read from files and written to them, and the worlds that come with LearnBlock."""
 
 from collections.abc import Mapping, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -29,11 +29,22 @@ def load_world(name_or_path: str | Path, folders: Sequence[Path] = ()) -> WorldD
 
 
 def _read(file: Path) -> WorldDescription:
-    world = toml_source.read(file, WorldFile, WorldError, lambda w: check_world(w, file.parent))
+    text = toml_source.text_of(file, WorldError)
+    world = _last_described(file, text)
+    # The file of a picture may have gone since.
+    return world if world.floor.picture is None else _described(file, text)
+
+
+def _described(file: Path, text: str) -> WorldDescription:
+    world = toml_source.read_text(
+        text, file.name, WorldFile, WorldError, lambda world: check_world(world, file.parent)
+    )
     values = {field: getattr(world, field) for field in WorldFile.__struct_fields__}
     return WorldDescription(name=file.stem, folder=str(file.parent), **values)
 
 
+#: Many runs in the same world follow each other.
+_last_described = lru_cache(maxsize=8)(_described)
 #: Reading them all takes a tenth of a second, each time that a page opens.
 _shipped = cache(_read)
 

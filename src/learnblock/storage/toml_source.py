@@ -69,9 +69,31 @@ def read(
         error: what to raise, with the diagnostics and the file's text.
         check: finds mistakes that the types of `struct` accept.
     """
-    source = _text(file, error)
-    document = parse(source, file.name, error)
-    return convert(document, struct, error, check, name=file.name, source=source)
+    return read_text(text_of(file, error), file.name, struct, error, check)
+
+
+def text_of(file: Path, error: type[FileError]) -> str:
+    """The text of a file; see `read`."""
+    size = file.stat().st_size
+    if size > MAXIMUM_FILE_SIZE:
+        message = Phrase("file-too-many-bytes", size=size, limit=MAXIMUM_FILE_SIZE)
+        raise error(file.name, [Diagnostic("too-large", message)])
+    try:
+        return file.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as broken:
+        message = Phrase("file-not-utf-8", position=str(broken.start))
+        raise error(file.name, [Diagnostic("not-utf-8", message)]) from None
+
+
+def read_text(
+    source: str,
+    name: str,
+    struct: type[StructT],
+    error: type[FileError],
+    check: Callable[[StructT], Iterable[FileMistake]],
+) -> StructT:
+    """Read a file's text as a `struct`; see `read`."""
+    return convert(parse(source, name, error), struct, error, check, name=name, source=source)
 
 
 def parse(source: str, name: str, error: type[FileError]) -> dict[str, Any]:
@@ -199,18 +221,6 @@ def names(folders: Sequence[Path]) -> dict[str, Path]:
     """List the TOML files of `folders` by name without suffix; earlier folders take precedence."""
     files = [file for folder in reversed(folders) for file in sorted(Path(folder).glob("*.toml"))]
     return dict(sorted((file.stem, file) for file in {file.stem: file for file in files}.values()))
-
-
-def _text(file: Path, error: type[FileError]) -> str:
-    size = file.stat().st_size
-    if size > MAXIMUM_FILE_SIZE:
-        message = Phrase("file-too-many-bytes", size=size, limit=MAXIMUM_FILE_SIZE)
-        raise error(file.name, [Diagnostic("too-large", message)])
-    try:
-        return file.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError as broken:
-        message = Phrase("file-not-utf-8", position=str(broken.start))
-        raise error(file.name, [Diagnostic("not-utf-8", message)]) from None
 
 
 _UNKNOWN = re.compile(r"Object contains unknown field `(.+?)`")

@@ -2,6 +2,8 @@ import math
 import re
 from pathlib import Path
 
+import cv2
+import numpy as np
 import pytest
 
 from learnblock.errors import WorldError
@@ -134,6 +136,34 @@ def test_a_path_turns_right_for_positive_turns(tmp_path: Path) -> None:
     (line,) = load_world(tmp_path / "w.toml").line
 
     assert line.polyline().points[-1] == pytest.approx((400, -300))
+
+
+def test_a_file_is_read_again_when_it_has_changed(tmp_path: Path) -> None:
+    file = tmp_path / "w.toml"
+    for title in ("before", "after"):
+        file.write_text(f'title = "{title}"')
+        assert load_world(file).title == title
+
+
+def test_a_picture_that_has_gone_since_is_missed(tmp_path: Path) -> None:
+    file, picture = tmp_path / "w.toml", tmp_path / "floor.png"
+    file.write_text('floor.picture = "floor.png"')
+    cv2.imwrite(str(picture), np.zeros((8, 8, 3), np.uint8))
+    assert load_world(file).floor.picture == "floor.png"
+    picture.unlink()
+    with pytest.raises(WorldError):
+        load_world(file)
+
+
+def test_lines_that_are_alike_share_what_is_near_and_others_do_not(tmp_path: Path) -> None:
+    lines = []
+    for name, end in (("first", 500), ("again", 500), ("other", 600)):
+        file = tmp_path / f"{name}.toml"
+        file.write_text(f"[[line]]\npoints = [[0, 0], [{end}, 0]]")
+        lines.extend(line.polyline() for line in load_world(file).line)
+    first, again, other = lines
+    assert first is again
+    assert (first.length, other.length) == (500, 600)
 
 
 def test_the_emotions_of_posters_are_those_that_can_be_drawn() -> None:
