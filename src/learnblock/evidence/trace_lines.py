@@ -166,7 +166,10 @@ class TraceLines(Sequence[Line]):
 
 def kind_of(about: Line) -> str:
     """What a line is about: the name of its first value other than the time."""
-    return next((key for key in about if key != "t"), "")
+    for key in about:
+        if key != "t":
+            return key
+    return ""
 
 
 def _is_time(value: object) -> bool:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from pathlib import Path
 from queue import Empty, SimpleQueue
+from threading import Lock
 from typing import NamedTuple
 
 import msgspec
@@ -54,6 +55,8 @@ MOST_HINTS = 3
 ABOUT_OTHERS = frozenset({"hint-only-here", "hint-other-robot"})
 #: Longer traces, in bytes, are not judged: an honest run of ten minutes has a tenth of it.
 LONGEST_TRACE = 48 * MEGABYTE
+#: The most worlds whose files are kept; more than a process ever runs at the same time.
+MOST_WORLDS = 16
 #: Endings that come at no exact moment of the robot's time.
 _INEXACT = frozenset({How.KILLED, How.NO_CALL, How.STOPPED})
 #: Where programs seem to be: there is nothing beside them.
@@ -246,18 +249,49 @@ class _Idle(NamedTuple):
     Args:
         runs: make the runs.
         experts: fork the processes of checks.
-        worlds: the files of worlds, which are deleted when it is closed.
+        worlds: the files of worlds.
     """
 
     runs: "SimpleQueue[WarmProcess]"
     experts: "SimpleQueue[ForkServer]"
-    worlds: ExitStack
+    worlds: "WorldFiles"
+
+
+class WorldFiles:
+    """The files of the worlds that were needed last; a worker of a cluster may see many lessons."""
+
+    def __init__(self) -> None:
+        #: By lesson and step, the one that was needed last at the end.
+        self._files: dict[tuple[bytes, int], tuple[ExitStack, str | None]] = {}
+        #: A worker may make pieces in several threads.
+        self._lock = Lock()
+
+    def of(self, packed_one: bytes, step: int) -> str | None:
+        """The file of a step's world."""
+        key = packed_one, step
+        with self._lock:
+            if (kept := self._files.pop(key, None)) is None:
+                while len(self._files) >= MOST_WORLDS:
+                    self._delete(next(iter(self._files)))
+                files = ExitStack()
+                kept = files, files.enter_context(_lesson(packed_one).world_file(step))
+            self._files[key] = kept
+            return kept[1]
+
+    def close(self) -> None:
+        """Delete all files."""
+        with self._lock:
+            for key in [*self._files]:
+                self._delete(key)
+
+    def _delete(self, key: tuple[bytes, int]) -> None:
+        self._files.pop(key)[0].close()
 
 
 @cache
 def _idle() -> _Idle:
     atexit.register(end_idle)
-    return _Idle(SimpleQueue(), SimpleQueue(), ExitStack())
+    return _Idle(SimpleQueue(), SimpleQueue(), WorldFiles())
 
 
 @contextmanager
@@ -280,7 +314,6 @@ def end_idle() -> None:
         with suppress(Empty):
             while True:
                 idle.get_nowait().end()
-    _world_file.cache_clear()
     _idle().worlds.close()
 
 
@@ -310,10 +343,9 @@ def _world(packed_one: bytes, step: int) -> WorldDescription | None:
     return _lesson(packed_one).described_world(step)
 
 
-@cache
 def _world_file(packed_one: bytes, step: int) -> str | None:
     """The world of a step as runs take it, the same for all pieces: it is read and drawn once."""
-    return _idle().worlds.enter_context(_lesson(packed_one).world_file(step))
+    return _idle().worlds.of(packed_one, step)
 
 
 def _check_result(verdict: Verdict) -> CheckResult:

@@ -328,3 +328,19 @@ def test_all_runs_of_a_step_share_one_file_of_the_lesson_s_own_world(monkeypatch
 
     end_idle()
     assert not worlds[0].exists()
+
+
+def test_the_file_of_the_world_that_was_needed_longest_ago_is_deleted_when_there_are_too_many(
+    monkeypatch,
+):
+    monkeypatch.setattr(executing, "MOST_WORLDS", 2)
+    opened = find_lesson("1-03-square")
+    first, second, third = (executing.packed_lesson(opened, 5) + bytes(n) for n in range(3))
+    monkeypatch.setattr(executing, "_lesson", lambda _: opened)
+    worlds = executing.WorldFiles()
+
+    files = [Path(worlds.of(one, 5)) for one in (first, second, first, third)]
+    assert [file.is_file() for file in files] == [True, False, True, True]
+    assert files[0] == files[2]
+    worlds.close()
+    assert not any(file.is_file() for file in files)
