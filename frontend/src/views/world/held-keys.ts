@@ -86,7 +86,8 @@ export class HeldKeys {
     if (!key) return;
     event.preventDefault();
     event.stopPropagation();
-    if (event.repeat || this.held.get(event.code) === key) return;
+    // A repeated key has perhaps been down since before the program listened.
+    if (this.held.get(event.code) === key) return;
     this.held.set(event.code, key);
     this.send();
   }
