@@ -23,12 +23,12 @@ export class RunsOn {
     connection.on("RunsOn", ({ robots }) => (this.verdicts.value = robots));
   }
 
-  /** Keep the verdicts up to date until the function that it returns is called. */
-  watch(): () => void {
+  /** Keep the verdicts up to date while they are shown, until the function that it returns is called. */
+  watch(isShown: () => boolean): () => void {
     const throttle = new Throttle(PERIOD);
     const stop = effect(() => {
       this.program.state.value;
-      if (this.project.value) throttle.do(() => this.connection.send({ kind: "ReadRunsOn" }));
+      if (this.project.value && isShown()) throttle.do(() => this.connection.send({ kind: "ReadRunsOn" }));
     });
     return () => {
       stop();

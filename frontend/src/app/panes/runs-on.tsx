@@ -10,8 +10,8 @@ import type { RobotChoice, Verdict } from "../../protocol/messages";
 const MARKS = { runs: "✓", without: "✓", refused: "✗", unknown: "?" } as const;
 
 export function RunsOn() {
-  const { runsOn, project } = usePage();
-  useEffect(() => runsOn.watch(), [runsOn]);
+  const { runsOn, project, views } = usePage();
+  useEffect(() => runsOn.watch(() => views.shows("panel") && views.panel.value === "problems"), [runsOn]);
   const verdicts = new Map(runsOn.verdicts.value.map((one) => [one.robot, one]));
   const known = (project.welcome.value?.robots ?? []).filter(({ name }) => verdicts.has(name));
   if (known.length === 0) return null;
