@@ -1,6 +1,6 @@
 /** Which regions of the page are shown, including the three views of the program. */
 
-import { type ReadonlySignal, signal } from "@preact/signals";
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Problem, View, Workspace } from "../protocol/messages";
 import type { Island } from "../ui/island";
 import { room } from "../ui/screen";
@@ -77,12 +77,22 @@ export class Views {
   readonly plotted = signal<Measure | null>(null);
   /** The statement that the user has selected in a view, by its block. */
   readonly selected = signal<string | null>(null);
-  private readonly islands = new Map<View, ViewIsland>();
+  private readonly loaded = signal<ReadonlyMap<View, ViewIsland>>(new Map());
+  /** Whether the world and all views of the program that are shown have loaded. */
+  readonly areLoaded = computed(
+    () => this.world.value !== null && VIEWS.every((view) => !this.shows(view) || this.loaded.value.has(view)),
+  );
+
+  private get islands(): ReadonlyMap<View, ViewIsland> {
+    return this.loaded.peek();
+  }
 
   /** Register a view, or remove it with null. */
   put(view: View, island: ViewIsland | null): void {
-    if (island) this.islands.set(view, island);
-    else this.islands.delete(view);
+    const loaded = new Map(this.islands);
+    if (island) loaded.set(view, island);
+    else loaded.delete(view);
+    this.loaded.value = loaded;
   }
 
   /** Whether several views of the program are side by side. */

@@ -8,8 +8,10 @@ import { Why } from "../../features/why/why";
 import { t } from "../../i18n";
 import { countProblems } from "../../model/findings";
 import { type Page, usePage } from "../../model/page";
+import type { PanelName } from "../../model/views";
 import { IslandPlace } from "../../ui/island-place";
 import { Tabs } from "../../ui/tabs";
+import { whenNeeded } from "./hidden-parts";
 import { Problems } from "./problems";
 import { Result } from "./result-panel";
 
@@ -63,12 +65,19 @@ async function loadConsole({ context }: Page) {
   return createConsole(context);
 }
 
-async function loadVariables({ context }: Page) {
+async function loadVariables(page: Page) {
+  await whenNeeded(page, () => isShown(page, "variables"));
   const { createVariables } = await import("../../views/output/variables");
-  return createVariables(context);
+  return createVariables(page.context);
 }
 
-async function loadSensors({ context, views }: Page) {
+async function loadSensors(page: Page) {
+  const { context, views } = page;
+  await whenNeeded(page, () => isShown(page, "sensors"));
   const { createSensors } = await import("../../views/output/sensors");
   return createSensors(context, views.plotted);
+}
+
+function isShown({ views }: Page, name: PanelName): boolean {
+  return views.shows("panel") && views.panel.value === name;
 }

@@ -14,6 +14,7 @@ import { Icon } from "../../ui/icons";
 import { IslandPlace } from "../../ui/island-place";
 import { room } from "../../ui/screen";
 import { Splitter } from "../../ui/splitter";
+import { whenNeeded } from "./hidden-parts";
 import { SameStep } from "./same-step";
 import { StaleNote } from "./stale-note";
 
@@ -162,7 +163,9 @@ function ViewPane({ view }: { view: View }) {
   );
 }
 
-async function load(view: View, { context }: Page): Promise<ViewIsland> {
+async function load(view: View, page: Page): Promise<ViewIsland> {
+  const { context, views } = page;
+  await whenNeeded(page, () => views.shows(view));
   if (view === "blocks") {
     const { createBlocks } = await import("../../views/blocks/blocks-view");
     return createBlocks(context);

@@ -22,10 +22,11 @@ export function StartPage({ openFiles }: { openFiles: OpenFiles }) {
     // The button that led here is gone.
     if (project.entries.value) main.current?.focus();
   }, []);
+  useEffect(() => project.list(), []);
+  const isWelcome = project.welcome.value !== null;
   useEffect(() => {
-    project.list();
-    preload();
-  }, []);
+    if (isWelcome) preload();
+  }, [isWelcome]);
   return (
     <div class="start">
       <TopBar />
