@@ -12,10 +12,10 @@ import { drawWorld, fillSky, newBrush } from "../share/frame";
 const WIDTH = 960;
 const HEIGHT = 540;
 const QUALITIES = [0.8, 0.65, 0.5, 0.35];
-/** The ms after which the world of a project that has just been opened is drawn. */
-const DRAWN = 3000;
+/** The ms for which a world must have been shown: to draw its picture stops the page for a moment. */
+const SHOWN = 3000;
 
-export function keepPictures({ context: { connection, program }, project, views }: Page): void {
+export function keepPictures({ context: { connection, program, running }, project, views }: Page): void {
   connection.on("Ended", ({ tried }) => {
     if (tried || program.readOnly.peek()) return;
     // By the next frame, the world shows how the run ended.
@@ -23,16 +23,22 @@ export function keepPictures({ context: { connection, program }, project, views 
   });
 
   const seen = new Set<string>();
+  /** The project whose world has been shown for long enough. */
+  let shown = "";
   effect(() => {
     const name = project.name.value;
-    if (!name || seen.has(name) || program.readOnly.value) return;
-    const look = setTimeout(() => project.list(), DRAWN);
+    const isDrawn = views.areLoaded.value && running.scene.value !== null;
+    if (!name || !isDrawn || seen.has(name) || program.readOnly.value) return;
+    const look = setTimeout(() => {
+      shown = name;
+      project.list();
+    }, SHOWN);
     return () => clearTimeout(look);
   });
   connection.on("Projects", ({ projects }) => {
     const name = project.name.peek();
     const entry = projects.find((one) => one.name === name);
-    if (!entry || seen.has(name) || !views.world.peek()) return;
+    if (!entry || seen.has(name) || name !== shown) return;
     seen.add(name);
     if (!entry.picture) void send(name, views.world.peek());
   });
