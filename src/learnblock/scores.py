@@ -169,7 +169,7 @@ class Scores:
         return Tally(counts.score, counts.lives, left)
 
     def of(self, player: str) -> Counts:
-        """What counts for a player so far; only to be read."""
+        """What counts for a player so far; only `Scores` may change it."""
         return self._players.get(player) or Counts(self._lives)
 
     def plays(self, player: str) -> bool:

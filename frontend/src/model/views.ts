@@ -100,6 +100,11 @@ export class Views {
     return room.value !== "narrow" && preferences.value.layout.split;
   }
 
+  /** Whether a part of the panel can be seen. */
+  showsPanel(name: PanelName): boolean {
+    return this.shows("panel") && this.panel.value === name;
+  }
+
   shows(area: Area): boolean {
     if (area === "world") return true;
     if (room.value === "narrow") return area === this.area.value;

@@ -171,14 +171,17 @@ class Room:
         """
         receiving = tuple(self.roster.pupils if pupils is None else pupils)
         orders = await self._handing_out(lesson, receiving)
-        await self._lesson_worlds.read(lesson.lesson, lesson.step or 1)
         # What a few get besides is not the lesson of the class.
         if pupils is None or 2 * len(receiving) > len(self.roster.pupils):
             self.lesson, self.began = lesson.lesson, time.time()
         self._late |= {pupil.id: orders for pupil in receiving if not self.desk(pupil).own_pages}
+        step = lesson.step or 1
         for pupil in receiving:
-            self.desk(pupil).hand_out(lesson.lesson, lesson.step or 1)
-        await asyncio.gather(*(self.desk(pupil).order(*orders) for pupil in receiving))
+            self.desk(pupil).hand_out(lesson.lesson, step)
+        await asyncio.gather(
+            *(self.desk(pupil).order(*orders) for pupil in receiving),
+            self._lesson_worlds.read(lesson.lesson, step),
+        )
 
     async def first_lesson(self, pupil: Pupil) -> tuple[messages.Message, ...]:
         """What opens the lesson with which a pupil begins; empty without one, or with a project.

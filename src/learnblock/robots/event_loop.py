@@ -65,6 +65,7 @@ class EventLoop(Closing):
         self._clock = clock
         self._failures: tuple[type[Exception], ...] = (*_FAILURES, *failures)
         self._lock = threading.Lock()
+        #: Held by a thread that calls a coroutine, until it has woken the loop.
         self._waking = threading.Lock()
         self._lost: Phrase | Exception | None = None
         self._closed = False
@@ -313,8 +314,9 @@ class _Activity(threading.Event):
         return self.wait(0)
 
     def wait(self, timeout: float | None = None) -> bool:
-        if self._select(0):
-            return True
-        for event in self._settling:
-            event.set()
+        if self._settling:
+            if self._select(0):
+                return True
+            for event in self._settling:
+                event.set()
         return bool(self._select(timeout))

@@ -29,9 +29,9 @@ from learnblock.runtime.watcher import Watcher
 
 #: Seconds between two messages on where the robot is, and between two turns of the watcher.
 PERIOD = 0.1
-#: Seconds for which a child may neither say nor compute anything, and how little is nothing.
+#: A child hangs if it says nothing for so many seconds, and computes for less than so many.
 HANGING = 15.0
-_NOTHING = 0.5
+_IDLE = 0.5
 #: The bytes before a message that say how long it is.
 _LENGTH = 8
 _CHUNK = 1 << 16
@@ -121,10 +121,10 @@ class SharedRun:
         data, pulse = bytearray(), _Pulse(self._child)
         while self._deadline is None or monotonic() < self._deadline:
             if not select.select([connection], [], [], PERIOD)[0]:
-                if pulse.is_missed():
+                if pulse.note_silence():
                     return None
             else:
-                pulse.felt()
+                pulse.note_message()
                 received = connection.recv(_CHUNK)
                 data += received
                 if not received or len(data) > LARGEST:
@@ -170,7 +170,7 @@ class SharedRun:
 class _Pulse:
     """Whether a child still says or computes something.
 
-    Forking copies a lock that a library's thread holds, and the child may wait for it forever.
+    A fork copies the locks that other threads hold, and the child may wait for one of them forever.
 
     Args:
         process: the number of the child.
@@ -179,24 +179,23 @@ class _Pulse:
     def __init__(self, process: int) -> None:
         # The clock of a process, as clock_getcpuclockid(3) makes it on Linux.
         self._clock = ~process << 3 | 2
-        self.felt()
+        self._silent = self._computed = 0.0
 
-    def felt(self) -> None:
+    def note_message(self) -> None:
         """Note that it has said something."""
-        self._missed = 0.0
-        self._computed = clock_gettime(self._clock)
+        self._silent, self._computed = 0.0, clock_gettime(self._clock)
 
-    def is_missed(self) -> bool:
-        """Whether it hangs, asked after each `PERIOD` without a message.
+    def note_silence(self) -> bool:
+        """Note that it has said nothing for a `PERIOD`; return whether it hangs.
 
-        Turns are counted instead of time, which passes while a computer or this process is paused.
+        Periods are counted, because time also passes while this process is paused.
         """
-        self._missed += PERIOD
-        if self._missed < HANGING:
+        self._silent += PERIOD
+        if self._silent < HANGING:
             return False
-        has_computed = clock_gettime(self._clock) - self._computed >= _NOTHING
-        self.felt()
-        return not has_computed
+        before = self._computed
+        self.note_message()
+        return self._computed - before < _IDLE
 
 
 class _Teller(making.Prints):

@@ -12,7 +12,7 @@ from learnblock.runtime import child
 from learnblock.runtime.activity import Activity
 from learnblock.runtime.containment.scratch import Usage
 from learnblock.runtime.limits import Limits
-from learnblock.runtime.link import LENGTH, AtOnce, Link, decoded_value
+from learnblock.runtime.link import LENGTH, NOT_ENCODABLE, AtOnce, Link, decoded_value
 from learnblock.runtime.messages import (
     Answer,
     Ask,
@@ -30,7 +30,7 @@ Incoming = TypeVar("Incoming")
 
 #: The size of a message that is queued without being encoded, for limits in bytes.
 TYPICAL_SIZE = 16
-#: Values of these types of fewer bytes than this are copied without a message around them.
+#: Values of these types with fewer bytes than this are copied without a message around them.
 _LISTED, _SHORT = frozenset({dict, list, tuple}), 1024
 
 
@@ -135,10 +135,10 @@ class InlineLink(Link[Incoming]):
         return self._taken().value
 
     def _short_copy(self, value: Any) -> Any:
-        """A copy of a reading, in a third of the time of a message; None if it has to be one."""
+        """A copy in a third of the time of a message; None if the value has to be sent as one."""
         try:
             encoded = self._encoder.encode(value)
-        except (OverflowError, RecursionError, TypeError, UnicodeEncodeError):
+        except NOT_ENCODABLE:
             return None
         return decoded_value(encoded) if len(encoded) < _SHORT else None
 

@@ -25,6 +25,8 @@ Incoming = TypeVar("Incoming")
 
 #: The bytes before a message that say how long it is.
 LENGTH = 4
+#: What msgspec raises for a value that it can't encode.
+NOT_ENCODABLE = (OverflowError, RecursionError, TypeError, UnicodeEncodeError)
 _CHUNK = 65536
 #: The largest message: a frame of 1920 by 1080 pixels and its envelope.
 MAX_MESSAGE = 8 * 1024 * 1024
@@ -115,7 +117,7 @@ class Link(Generic[Incoming]):
             if length > LARGEST and length > (limit := _limit(message)):
                 raise DeviceValueError("run-value-too-large", size=length, limit=limit)
             outgoing[start : start + LENGTH] = length.to_bytes(LENGTH)
-        except (OverflowError, RecursionError, TypeError, UnicodeEncodeError) as error:
+        except NOT_ENCODABLE as error:
             del outgoing[start:]
             raise DeviceValueError("run-value-not-sendable", reason=str(error)) from error
         except BaseException:
@@ -327,5 +329,5 @@ def _shape(code: int, data: memoryview) -> tuple[int, int, int]:
     return height, width, channels
 
 
-#: A value without a message around it.
+#: Decodes a value that has no message around it.
 decoded_value = msgspec.msgpack.Decoder(ext_hook=_from_extension).decode

@@ -26,7 +26,7 @@ class LockStepClock:
         self._started = steps
         self._accesses = 0
         self.instant = steps
-        #: The last time and its step: many ask at one step.
+        #: The last time that was asked for, and its step: most steps are asked for several times.
         self._time, self._at = 0.0, steps
 
     def time(self) -> float:

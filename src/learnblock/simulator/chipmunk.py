@@ -1,7 +1,6 @@
-"""Calls of every step, straight to pymunk's library.
+"""The calls that a world makes at each step, straight to Chipmunk, the library under pymunk.
 
-What a body or a space is at the library is looked up each time, because a copy of a world has
-others.
+Chipmunk's own body or space is looked up each time, because that of a copied world is another one.
 """
 
 from collections.abc import Callable

@@ -103,6 +103,8 @@ class EventHistory:
         #: By `when`: the calls that switched it on or off.
         self.switches: dict[str, list[int]] = defaultdict(list)
         self.gaps: list[int] = []
+        #: By loop, the events that count turns that were alike, up to the beginning of the next.
+        self.counts: dict[int, list[int]] = defaultdict(list)
         #: By name, the events that report the value or the end of a variable, but not why.
         self.tellings: dict[str, list[int]] = defaultdict(list)
         #: By the identity of a list, the events that report its content.
@@ -405,6 +407,7 @@ class _Reading:
     def _repeated(self, index: int, event: Event) -> None:
         """Count the events of a turn once more for each turn that was like it."""
         history = self._history
+        history.counts[event[1]].append(index)
         for event_of_turn in history.turn_before(index):
             history.times[event_of_turn] *= 1 + event[2]
 

@@ -5,8 +5,7 @@ has happened there.
 """
 
 from bisect import bisect_left, bisect_right
-from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from enum import StrEnum
 from functools import cached_property
 
@@ -192,18 +191,8 @@ class Steps:
         for number, node in enumerate(history.nodes):
             if node.kind in LOOPS and (number in loops or -1 in loops):
                 yield from self._of_events(filter(self._begins_turn, history.of_node[number]))
-                # Turns that were alike are counted up to the beginning of the next one.
-                yield from self._of_events(self._counts[number])
+                yield from self._of_events(history.counts[number])
                 yield from (place for place, line in self._without_events() if line == node.line)
-
-    @cached_property
-    def _counts(self) -> Mapping[int, Sequence[int]]:
-        """By loop, the events that count its turns."""
-        counts = defaultdict(list)
-        for index, event in enumerate(self._history.events):
-            if event[0] == Op.REPEATED:
-                counts[event[1]].append(index)
-        return counts
 
     def _begins_turn(self, index: int) -> bool:
         op, _, value, *_ = (*self._history.events[index], None)

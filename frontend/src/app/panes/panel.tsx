@@ -8,7 +8,6 @@ import { Why } from "../../features/why/why";
 import { t } from "../../i18n";
 import { countProblems } from "../../model/findings";
 import { type Page, usePage } from "../../model/page";
-import type { PanelName } from "../../model/views";
 import { IslandPlace } from "../../ui/island-place";
 import { Tabs } from "../../ui/tabs";
 import { whenNeeded } from "./hidden-parts";
@@ -66,18 +65,14 @@ async function loadConsole({ context }: Page) {
 }
 
 async function loadVariables(page: Page) {
-  await whenNeeded(page, () => isShown(page, "variables"));
+  await whenNeeded(page, () => page.views.showsPanel("variables"));
   const { createVariables } = await import("../../views/output/variables");
   return createVariables(page.context);
 }
 
 async function loadSensors(page: Page) {
   const { context, views } = page;
-  await whenNeeded(page, () => isShown(page, "sensors"));
+  await whenNeeded(page, () => views.showsPanel("sensors"));
   const { createSensors } = await import("../../views/output/sensors");
   return createSensors(context, views.plotted);
-}
-
-function isShown({ views }: Page, name: PanelName): boolean {
-  return views.shows("panel") && views.panel.value === name;
 }

@@ -11,7 +11,7 @@ const MARKS = { runs: "✓", without: "✓", refused: "✗", unknown: "?" } as c
 
 export function RunsOn() {
   const { runsOn, project, views } = usePage();
-  useEffect(() => runsOn.watch(() => views.shows("panel") && views.panel.value === "problems"), [runsOn]);
+  useEffect(() => runsOn.watch(() => views.showsPanel("problems")), [runsOn]);
   const verdicts = new Map(runsOn.verdicts.value.map((one) => [one.robot, one]));
   const known = (project.welcome.value?.robots ?? []).filter(({ name }) => verdicts.has(name));
   if (known.length === 0) return null;

@@ -87,7 +87,7 @@ function useCalls(span: Span): CallGraph | null {
   const graph = useSignal<CallGraph | null>(null);
   useEffect(() => connection.on("CallGraph", (news) => (graph.value = news)), [connection, graph]);
   useSignalEffect(() => {
-    if (views.panel.value !== "calls" || !views.shows("panel")) return;
+    if (!views.showsPanel("calls")) return;
     const ask = () => {
       const first = span.first.value ?? 0;
       const last = span.last.value ?? running.past.value?.time ?? null;

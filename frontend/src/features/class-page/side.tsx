@@ -270,13 +270,12 @@ function HandInRow({ work: { seat, isToMark, left } }: { work: FinishedWork }) {
   const { name, lesson_name, stars = 0, all_stars = 0, tries = 0 } = seat;
   // The wall knows the stars of the lesson that is open.
   const isOpen = !left || left.lesson === lesson_name;
-  const isIn = left || seat.hand_in;
-  const { lesson = "", step = 0 } = left ?? { lesson: lesson_name, step: seat.step };
+  const handIn = left ?? (seat.hand_in ? { lesson: lesson_name ?? "", step: seat.step ?? 0 } : null);
   return (
     <tr>
       <th scope="row">
-        {isIn ? (
-          <a href={handInPage({ pupil: seat.id, lesson, step })}>
+        {handIn ? (
+          <a href={handInPage({ ...handIn, pupil: seat.id })}>
             <bdi>{name}</bdi>
           </a>
         ) : (

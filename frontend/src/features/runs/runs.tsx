@@ -18,9 +18,8 @@ export function Runs() {
   const page = usePage();
   const { keptRuns, views, context, project } = page;
   useSignalEffect(() => {
-    const isShown = views.panel.value === "runs" && views.shows("panel");
     // A page that is reloaded has no project at first.
-    if (isShown && project.name.value && keptRuns.runs.value === null) keptRuns.list();
+    if (views.showsPanel("runs") && project.name.value && keptRuns.runs.value === null) keptRuns.list();
   });
   const runs = keptRuns.runs.value ?? [];
   const isReadOnly = context.program.readOnly.value !== null;

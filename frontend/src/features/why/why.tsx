@@ -36,9 +36,8 @@ const GROUPS = [
 export function Why() {
   const { context, views, askingWhy } = usePage();
   useSignalEffect(() => {
-    const isShown = views.panel.value === "why" && views.shows("panel");
     // The questions are those of the run so far.
-    if (isShown && context.running.timeline.value?.end && !askingWhy.isUsed) askingWhy.read();
+    if (views.showsPanel("why") && context.running.timeline.value?.end && !askingWhy.isUsed) askingWhy.read();
   });
   const answer = askingWhy.answer.value;
   if (answer) return <Answer answer={answer} />;
